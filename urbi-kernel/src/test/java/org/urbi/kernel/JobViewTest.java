@@ -7,10 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
-import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,7 +18,6 @@ import org.urbi.kernel.observe.JobRow;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Steering.Action;
 import org.urbi.kernel.observe.TagRow;
-import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** Somebody looks at the jobs and tags of a running kernel, and controls them. */
@@ -29,64 +25,6 @@ class JobViewTest {
   private Kernel kernel;
   private TestClient program;
   private Viewer owner;
-
-  /** Puts together what has been told. */
-  private static final class Viewer {
-    private final TestClient client;
-    private final Map<Long, JobRow> jobs = new TreeMap<>();
-    private final Map<Long, TagRow> tags = new TreeMap<>();
-    private View last;
-    private int changes;
-
-    Viewer(Kernel kernel, Role role) {
-      client = new TestClient(kernel, role);
-    }
-
-    /** A round over all jobs. */
-    Viewer look(Look wanted) {
-      changes = 0;
-      do {
-        last = client.connection().look(wanted).join();
-        assertTrue(last.jobs().size() <= 500, "a limited number in one tick");
-        last.jobs().forEach(row -> jobs.put(row.number(), row));
-        last.gone().forEach(jobs::remove);
-        last.tags().forEach(row -> tags.put(row.number(), row));
-        last.tagsGone().forEach(tags::remove);
-        changes += last.jobs().size() + last.gone().size();
-      } while (!last.complete());
-      return this;
-    }
-
-    Viewer look() {
-      return look(new Look(0, List.of(), null, null));
-    }
-
-    JobRow await(Predicate<JobRow> wanted) {
-      while (true) {
-        for (JobRow row : look().jobs.values()) {
-          if (wanted.test(row)) {
-            return row;
-          }
-        }
-      }
-    }
-
-    TagRow tag(String name) {
-      return look().tags.values().stream()
-          .filter(row -> row.name().equals(name))
-          .findFirst()
-          .orElseThrow();
-    }
-
-    JobRow under(String tag) {
-      long number = tag(tag).number();
-      return await(row -> row.tags().contains(number));
-    }
-
-    String steer(Action action, boolean tag, long target) {
-      return client.connection().steer(action, tag, target).join();
-    }
-  }
 
   @BeforeEach
   void start() {

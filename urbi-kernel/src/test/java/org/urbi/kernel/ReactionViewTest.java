@@ -8,18 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.observe.EventRow;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.ReactionRow;
-import org.urbi.kernel.observe.ReactionView;
-import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** Somebody looks at the reactions and events of a running kernel, and emits events. */
@@ -27,51 +22,6 @@ class ReactionViewTest {
   private Kernel kernel;
   private TestClient program;
   private Viewer owner;
-
-  /** Puts together what has been told. */
-  private static final class Viewer {
-    private final TestClient client;
-    private final Map<Long, ReactionRow> reactions = new TreeMap<>();
-    private final Map<Long, EventRow> events = new TreeMap<>();
-    private ReactionView last;
-
-    Viewer(Kernel kernel, Role role) {
-      client = new TestClient(kernel, role);
-    }
-
-    Viewer look(String text) {
-      View view;
-      do {
-        view = client.connection().look(new Look(0, List.of(), text, null)).join();
-      } while (!view.complete());
-      last = view.reactions();
-      if (last != null) {
-        last.gone().forEach(reactions::remove);
-        last.reactions().forEach(row -> reactions.put(row.number(), row));
-        last.eventsGone().forEach(events::remove);
-        last.events().forEach(row -> events.put(row.number(), row));
-      }
-      return this;
-    }
-
-    ReactionRow reaction(String code) {
-      return look("").reactions.values().stream()
-          .filter(row -> row.code().startsWith(code))
-          .findFirst()
-          .orElseThrow(() -> new AssertionError(code + " is not among " + reactions));
-    }
-
-    EventRow event(String name) {
-      return look("").events.values().stream()
-          .filter(row -> row.name().equals(name))
-          .findFirst()
-          .orElseThrow(() -> new AssertionError(name + " is not among " + events));
-    }
-
-    String emit(String name, String payload) {
-      return client.connection().emit(event(name).number(), payload).join();
-    }
-  }
 
   @BeforeEach
   void start() {
@@ -113,7 +63,7 @@ class ReactionViewTest {
     assertEquals(0, owner.reaction("whenever (x == 5)").times());
     EventRow event = owner.event("e");
     assertEquals(List.of(1, 2L), List.of(event.listeners(), event.times()));
-    assertNull(owner.look(null).last, "nobody wants to see them");
+    assertNull(owner.lookFor(null).last.reactions(), "nobody wants to see them");
   }
 
   @Test
@@ -121,7 +71,7 @@ class ReactionViewTest {
     program.say("var Global.x = 0|; mine: at (x == 1) x; mine: every (1h) x,");
     owner.reaction("at (x == 1)");
     program.say("mine.stop;");
-    assertTrue(owner.look("").reactions.isEmpty(), () -> owner.reactions.toString());
+    assertTrue(owner.lookFor("").reactions.isEmpty(), () -> owner.reactions.toString());
   }
 
   @Test
@@ -129,20 +79,24 @@ class ReactionViewTest {
     program.say("var Global.x = 0|; at (x == 1) x; var Global.robot = Object.clone|;");
     program.say("var Global.robot.touched = Event.new|;");
     assertEquals("robot.touched", owner.event("robot.touched").name());
-    owner.look("");
-    assertEquals(List.of(), owner.last.reactions());
-    assertEquals(List.of(), owner.last.events());
+    owner.lookFor("");
+    assertEquals(List.of(), owner.last.reactions().reactions());
+    assertEquals(List.of(), owner.last.reactions().events());
     program.say("x = 1;");
-    assertEquals(1, owner.look("").last.reactions().size());
+    assertEquals(1, owner.lookFor("").last.reactions().reactions().size());
+    assertFalse(owner.last.reactions().anew(), "what was told before is still true");
+    owner.lookFor(null);
+    assertTrue(owner.lookFor("").last.reactions().anew(), "it was looked away meanwhile");
+    assertEquals(1, owner.last.reactions().reactions().size());
   }
 
   @Test
   void ofVeryManyAPartIsTold() {
     program.say("var Global.x = 0|; for (var i : 2000) at (x == 1) x; at (x == 77) x;");
-    assertEquals(2001, owner.look("").last.total());
+    assertEquals(2001, owner.lookFor("").last.reactions().total());
     assertEquals(500, owner.reactions.size());
-    owner.look("X == 77");
-    assertEquals(1, owner.last.total());
+    owner.lookFor("X == 77");
+    assertEquals(1, owner.last.reactions().total());
     assertEquals(1, owner.reactions.size());
   }
 

@@ -6,17 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.kernel.observe.Look;
-import org.urbi.kernel.observe.ObjectView;
 import org.urbi.kernel.observe.SlotRow;
-import org.urbi.kernel.observe.VariableView;
-import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** Somebody looks at the slots of a running kernel, and assigns them. */
@@ -24,47 +18,6 @@ class VariableViewTest {
   private Kernel kernel;
   private TestClient program;
   private Viewer owner;
-
-  /** Puts together what has been told of one object. */
-  private static final class Viewer {
-    private final TestClient client;
-    private final Map<String, SlotRow> slots = new TreeMap<>();
-    private VariableView last;
-    private ObjectView object;
-    private String way = "";
-
-    Viewer(Kernel kernel, Role role) {
-      client = new TestClient(kernel, role);
-    }
-
-    Viewer look(String at) {
-      if (!at.equals(way)) {
-        slots.clear();
-        way = at;
-      }
-      View view;
-      do {
-        view = client.connection().look(new Look(0, List.of(), null, List.of(at))).join();
-      } while (!view.complete());
-      last = view.variables();
-      for (ObjectView each : last.objects()) {
-        object = each;
-        each.gone().forEach(slots::remove);
-        each.slots().forEach(row -> slots.put(row.name(), row));
-      }
-      return this;
-    }
-
-    SlotRow slot(String at, String name) {
-      SlotRow found = look(at).slots.get(name);
-      assertTrue(found != null, () -> name + " is not among " + slots.keySet());
-      return found;
-    }
-
-    String assign(String at, String value) {
-      return client.connection().assign(at, value).join();
-    }
-  }
 
   @BeforeEach
   void start() {
@@ -89,7 +42,8 @@ class VariableViewTest {
         """);
     SlotRow robot = owner.slot("Global", "robot");
     assertEquals(List.of("Robot", true), List.of(robot.type(), robot.opens()));
-    assertTrue(owner.last.roots().contains("Global"), owner.last.toString());
+    assertTrue(
+        owner.last.variables().roots().contains("Global"), owner.last.variables().toString());
     assertEquals("[1, \"two\", [3, […]]]", owner.slot("Global", "list").value());
     assertFalse(owner.slots.containsKey("Float"), "what the system has put there");
     SlotRow name = owner.slot("Global\n.robot", "name");
@@ -97,21 +51,25 @@ class VariableViewTest {
     assertEquals(List.of("Robot"), owner.object.protos());
     assertEquals(2, owner.slot("Global\n.robot\n:0", "legs").number());
     assertFalse(owner.slots.containsKey("walk"), "functions are no variables");
-    assertFalse(owner.look("Global\n.robot\n:7").object.found());
-    assertFalse(owner.look("Global\n.nobody\n.x").object.found());
-    assertFalse(owner.look("").object.found());
+    assertFalse(owner.lookAt("Global\n.robot\n:7").object.found());
+    assertFalse(owner.lookAt("Global\n.nobody\n.x").object.found());
+    assertFalse(owner.lookAt("").object.found());
   }
 
   @Test
   void onlyChangesAreTold() {
     program.say("var Global.x = 1|; var Global.y = 2|;");
-    owner.look("Global");
-    assertEquals(List.of(), owner.look("Global").last.objects());
+    owner.lookAt("Global");
+    assertEquals(List.of(), owner.lookAt("Global").last.variables().objects());
     program.say("Global.x = 5 | Global.removeLocalSlot(\"y\");");
-    owner.look("Global");
-    assertEquals(1, owner.last.objects().size());
+    owner.lookAt("Global");
+    assertEquals(1, owner.last.variables().objects().size());
     assertEquals(List.of("x"), owner.object.slots().stream().map(SlotRow::name).toList());
     assertEquals(List.of("y"), owner.object.gone());
+    assertFalse(owner.object.anew(), "what was told before is still true");
+    owner.lookAt("");
+    assertTrue(owner.lookAt("Global").object.anew(), "it was looked away meanwhile");
+    assertTrue(owner.slots.containsKey("x"), owner.slots::toString);
   }
 
   @Test
@@ -179,7 +137,7 @@ class VariableViewTest {
   @Test
   void ofVeryManySlotsAPartIsTold() {
     program.say("var Global.o = Object.new|; for (var i : 3000) o.setSlot(\"x\" + i, i);");
-    owner.look("Global\n.o");
+    owner.lookAt("Global\n.o");
     assertEquals(List.of(3000, 500), List.of(owner.object.total(), owner.slots.size()));
   }
 

@@ -41,7 +41,7 @@ class StudioReactionsTest {
       browser.await("that it goes on", cell("every (50ms)", 2), t -> Integer.parseInt(t) > 20);
       emits(browser, page.urbi());
       filters(browser);
-      goesToAnotherRoom(browser);
+      goesToAnotherRoom(browser, page.urbi());
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
     }
   }
@@ -71,7 +71,7 @@ class StudioReactionsTest {
     browser.await("all reactions", count, "3"::equals);
   }
 
-  private static void goesToAnotherRoom(Browser browser) throws Exception {
+  private static void goesToAnotherRoom(Browser browser, JavaProcess urbi) throws Exception {
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     String shown = "return document.querySelector('[data-room]:not([hidden])').dataset.room";
     browser.await("the room of the jobs", shown, "jobs"::equals);
@@ -82,5 +82,13 @@ class StudioReactionsTest {
     browser.await("the room of the reactions", shown, "reactions"::equals);
     String rows = "return document.querySelectorAll('#reaction-table tbody tr').length";
     browser.await("its reactions again", rows, "3"::equals);
+    // Who is back before the server has noticed that he was away is not told again what he knows.
+    browser.evaluate(
+        "document.querySelector('nav a[href=\"#jobs\"]').click();"
+            + "setTimeout(() => document.querySelector('nav a[href=\"#reactions\"]').click())");
+    browser.await("the room of the reactions", shown, "reactions"::equals);
+    urbi.send("x = 0; x = 7;\n");
+    browser.await("what goes on", cell("at (x > 5)", 2), "2"::equals);
+    assertEquals("3", browser.evaluate(rows));
   }
 }

@@ -8,6 +8,7 @@ import java.util.WeakHashMap;
 import org.urbi.kernel.event.Reaction;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.lang.source.Span;
 
 /** The reactions and events that somebody has been told of. On the kernel thread. */
 final class SeenReactions {
@@ -17,12 +18,16 @@ final class SeenReactions {
   /** How many names of what a condition has read are shown. */
   private static final int MOST_READ = 8;
 
+  /** What never changes of a reaction. */
+  private record Lasting(long number, String place, String code) {}
+
   private final KnownEvents known;
   private final SeenTags tags;
-  private final Map<Reaction, Long> numbers = new WeakHashMap<>();
+  private final Map<Reaction, Lasting> lasting = new WeakHashMap<>();
   private final Told<Long, ReactionRow> rows = new Told<>();
   private final Told<Long, EventRow> events = new Told<>();
   private long last;
+  private boolean told;
 
   SeenReactions(KnownEvents known, SeenTags tags) {
     this.known = known;
@@ -39,13 +44,13 @@ final class SeenReactions {
     List<Reaction> all = known.reactions();
     List<Reaction> matching = new ArrayList<>();
     for (Reaction each : all) {
-      if (contains(wanted, text(each.facts()))) {
+      if (contains(wanted, wanted.isEmpty() ? "" : text(each))) {
         matching.add(each);
       }
     }
     for (Reaction each : matching.subList(0, Math.min(MOST, matching.size()))) {
-      long number = numbers.computeIfAbsent(each, unknown -> ++last);
-      rows.is(number, row(number, each));
+      ReactionRow row = row(each);
+      rows.is(row.number(), row);
     }
     int eventTotal = 0;
     for (Map.Entry<UrbiEvent, String> each : known.events(all).entrySet()) {
@@ -54,27 +59,45 @@ final class SeenReactions {
         events.is(event.number(), row(event, each.getValue()));
       }
     }
+    boolean anew = !told;
+    told = true;
     return new ReactionView(
-        matching.size(), rows.changes(), rows.gone(), eventTotal, events.changes(), events.gone());
+        anew,
+        matching.size(),
+        rows.changes(),
+        rows.gone(),
+        eventTotal,
+        events.changes(),
+        events.gone());
   }
 
   private static boolean contains(String wanted, String text) {
     return wanted.isEmpty() || text.toLowerCase(Locale.ROOT).contains(wanted);
   }
 
-  private static String text(Reaction.Facts facts) {
-    return facts.kind() + " " + Written.beginning(facts.span());
+  private String text(Reaction reaction) {
+    return reaction.facts().kind() + " " + lasting(reaction).code();
   }
 
-  private ReactionRow row(long number, Reaction reaction) {
+  private Lasting lasting(Reaction reaction) {
+    return lasting.computeIfAbsent(
+        reaction,
+        unknown -> {
+          Span span = reaction.facts().span();
+          return new Lasting(++last, Written.place(span), Written.beginning(span));
+        });
+  }
+
+  private ReactionRow row(Reaction reaction) {
     Reaction.Facts facts = reaction.facts();
     UrbiEvent event = facts.event();
+    Lasting known = lasting(reaction);
     return new ReactionRow(
-        number,
+        known.number(),
         facts.kind(),
         facts.lobby() instanceof UrbiLobby lobby ? lobby.name() : "",
-        Written.place(facts.span()),
-        Written.beginning(facts.span()),
+        known.place(),
+        known.code(),
         facts.scope().isFrozen(),
         tags.of(facts.scope()),
         facts.occurrences().times(),

@@ -47,7 +47,14 @@ final class SeenVariables {
       ObjectView view = look(way, known);
       ObjectView frame =
           new ObjectView(
-              way, view.found(), view.type(), view.total(), view.protos(), List.of(), List.of());
+              way,
+              false,
+              view.found(),
+              view.type(),
+              view.total(),
+              view.protos(),
+              List.of(),
+              List.of());
       if (!frame.equals(known.before) || !view.slots().isEmpty() || !view.gone().isEmpty()) {
         known.before = frame;
         changed.add(view);
@@ -59,8 +66,9 @@ final class SeenVariables {
 
   private ObjectView look(String way, Seen known) {
     UrbiObject object = places.object(way);
+    boolean anew = known.before == null;
     if (object == null) {
-      return new ObjectView(way, false, "", 0, List.of(), List.of(), known.slots.gone());
+      return new ObjectView(way, anew, false, "", 0, List.of(), List.of(), known.slots.gone());
     }
     boolean root = way.indexOf('\n') < 0;
     int total = 0;
@@ -75,6 +83,7 @@ final class SeenVariables {
     List<String> protos = Arrays.stream(object.protos()).map(ValueText::type).toList();
     return new ObjectView(
         way,
+        anew,
         true,
         ValueText.type(object),
         total,

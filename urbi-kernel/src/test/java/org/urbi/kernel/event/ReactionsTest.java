@@ -5,46 +5,31 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.TestClient;
+import org.urbi.kernel.Viewer;
 import org.urbi.kernel.observe.EventRow;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.ReactionRow;
-import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** What is known of each kind of reaction, and of events: how often, when, and what it read. */
 class ReactionsTest {
   private final Kernel kernel = Kernel.builder().log(line -> {}).virtualTime(true).start();
   private final TestClient program = new TestClient(kernel, Role.OWNER);
-  private final TestClient viewer = new TestClient(kernel, Role.OWNER);
-  private final Map<Long, ReactionRow> reactions = new TreeMap<>();
-  private final Map<Long, EventRow> events = new TreeMap<>();
+  private final Viewer viewer = new Viewer(kernel, Role.OWNER);
 
   @AfterEach
   void close() {
     kernel.close();
   }
 
-  private void look() {
-    View view;
-    do {
-      view = viewer.connection().look(new Look(0, List.of(), "", null)).join();
-      view.reactions().gone().forEach(reactions::remove);
-      view.reactions().reactions().forEach(row -> reactions.put(row.number(), row));
-      view.reactions().eventsGone().forEach(events::remove);
-      view.reactions().events().forEach(row -> events.put(row.number(), row));
-    } while (!view.complete());
-  }
-
   /** Kind, code, how often, when last in milliseconds, what was read. */
   private String seen() {
-    look();
-    return reactions.values().stream()
+    viewer.lookFor("");
+    return viewer.reactions.values().stream()
         .map(row ->
             "%s %s | %d, %d ms %s"
                 .formatted(row.kind(), row.code(), row.times(), row.last() / 1_000_000, row.read()))
@@ -75,7 +60,7 @@ class ReactionsTest {
   void repetitionsCountTheirTurns() {
     program.say("var Global.t = Tag.new|; t: every (20ms) 1, sleep(50ms); t.freeze;");
     assertEquals("every every (20ms) 1 | 3, 40 ms []\n", seen());
-    assertTrue(reactions.values().iterator().next().frozen());
+    assertTrue(viewer.reactions.values().iterator().next().frozen());
   }
 
   @Test
@@ -92,7 +77,10 @@ class ReactionsTest {
         """,
         seen());
     EventRow event =
-        events.values().stream().filter(row -> row.name().equals("e")).findFirst().orElseThrow();
+        viewer.events.values().stream()
+            .filter(row -> row.name().equals("e"))
+            .findFirst()
+            .orElseThrow();
     assertEquals(
         List.of(2, 2L, 10L), List.of(event.listeners(), event.times(), event.last() / 1_000_000));
   }
@@ -100,8 +88,8 @@ class ReactionsTest {
   @Test
   void watchedExpressionsAreReactions() {
     program.say("var Global.x = 0|; var Global.w = watch(x * 2)|;");
-    look();
-    ReactionRow watching = reactions.values().iterator().next();
+    viewer.lookFor("");
+    ReactionRow watching = viewer.reactions.values().iterator().next();
     assertEquals("watch", watching.kind());
     assertEquals(List.of("x"), watching.read());
   }
@@ -115,10 +103,10 @@ class ReactionsTest {
         t: every (1h) x, sleep(1ms);
         t.freeze;
         """);
-    look();
-    assertEquals(5, reactions.size());
+    viewer.lookFor("");
+    assertEquals(5, viewer.reactions.size());
     program.say("t.stop;");
-    look();
-    assertEquals(Map.of(), reactions);
+    viewer.lookFor("");
+    assertEquals(Map.of(), viewer.reactions);
   }
 }

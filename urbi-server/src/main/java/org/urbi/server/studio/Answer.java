@@ -147,6 +147,12 @@ final class Answer {
     out.writeEndObject();
   }
 
+  /** How often, and when last: in milliseconds, -1 for never. */
+  static void writeTimes(JsonGenerator out, long times, long last) throws IOException {
+    out.writeNumberField("times", times);
+    out.writeNumberField("last", last < 0 ? -1 : last / MILLISECOND);
+  }
+
   static void writeTexts(JsonGenerator out, String name, List<String> texts) throws IOException {
     out.writeArrayFieldStart(name);
     for (String text : texts) {

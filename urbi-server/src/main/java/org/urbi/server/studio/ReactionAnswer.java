@@ -12,6 +12,7 @@ final class ReactionAnswer {
 
   static void write(JsonGenerator out, ReactionView view) throws IOException {
     out.writeStartObject();
+    out.writeBooleanField("anew", view.anew());
     out.writeNumberField("total", view.total());
     out.writeArrayFieldStart("rows");
     for (ReactionRow row : view.reactions()) {
@@ -40,7 +41,7 @@ final class ReactionAnswer {
     Answer.write(out, "tags", row.tags());
     out.writeNumberField("event", row.event());
     Answer.writeTexts(out, "read", row.read());
-    writeTimes(out, row.times(), row.last());
+    Answer.writeTimes(out, row.times(), row.last());
     out.writeEndObject();
   }
 
@@ -49,13 +50,7 @@ final class ReactionAnswer {
     out.writeNumberField("number", row.number());
     out.writeStringField("name", row.name());
     out.writeNumberField("listeners", row.listeners());
-    writeTimes(out, row.times(), row.last());
+    Answer.writeTimes(out, row.times(), row.last());
     out.writeEndObject();
-  }
-
-  /** How often, and when last: in milliseconds, -1 for never. */
-  static void writeTimes(JsonGenerator out, long times, long last) throws IOException {
-    out.writeNumberField("times", times);
-    out.writeNumberField("last", last < 0 ? -1 : last / Answer.MILLISECOND);
   }
 }

@@ -28,6 +28,7 @@ final class VariableAnswer {
   private static void write(JsonGenerator out, ObjectView object) throws IOException {
     out.writeStartObject();
     out.writeStringField("way", object.way());
+    out.writeBooleanField("anew", object.anew());
     out.writeBooleanField("found", object.found());
     out.writeStringField("type", object.type());
     out.writeNumberField("total", object.total());
@@ -55,7 +56,7 @@ final class VariableAnswer {
     out.writeStringField("owner", slot.owner());
     Answer.writeTexts(out, "readers", slot.readers());
     out.writeStringField("media", slot.media());
-    ReactionAnswer.writeTimes(out, slot.times(), slot.last());
+    Answer.writeTimes(out, slot.times(), slot.last());
     out.writeEndObject();
   }
 

@@ -21,13 +21,13 @@ export class Objects {
   take({ roots, objects }, now) {
     this.now = now;
     this.roots = roots;
-    for (const { way, slots, gone, ...facts } of objects) {
-      const known = this.objects.get(way)?.slots ?? new Map();
+    for (const { way, anew, slots, gone, ...facts } of objects) {
+      // The server, and nobody else, knows whether it has noticed that the object was closed for a while: then it tells all again.
+      const known = anew ? new Map() : this.objects.get(way).slots;
       for (const name of gone) known.delete(name);
       for (const slot of slots) known.set(slot.name, { ...slot, ...this.rate(known.get(slot.name), slot) });
       this.objects.set(way, { ...facts, slots: known });
     }
-    for (const way of this.objects.keys()) if (!this.open.has(way)) this.objects.delete(way);
   }
 
   // How often a second it is written, as far as this page has seen it.

@@ -75,19 +75,13 @@ export class Room {
   hide() {
     this.shown = false;
     this.studio.send({ type: "reactions" });
-    this.forget();
   }
 
   welcome() {
-    this.forget();
-    if (this.shown) this.ask();
-    this.draw();
-  }
-
-  // The server tells only changes to those who have not stopped to look.
-  forget() {
     this.rows.clear();
     this.events.clear();
+    if (this.shown) this.ask();
+    this.draw();
   }
 
   ask() {
@@ -95,15 +89,20 @@ export class Room {
   }
 
   take(message) {
-    if (message.type !== "view" || !message.reactions || !this.shown) return;
-    const { total, rows, gone, eventTotal, events, eventsGone } = message.reactions;
+    if (message.type !== "view" || !message.reactions) return;
+    const { anew, total, rows, gone, eventTotal, events, eventsGone } = message.reactions;
+    // The server, and nobody else, knows whether it has noticed that nobody looked for a while: then it tells all again.
+    if (anew) {
+      this.rows.clear();
+      this.events.clear();
+    }
     this.now = message.time;
     this.total = { reactions: total, events: eventTotal };
     for (const number of gone) this.rows.delete(number);
     for (const row of rows) this.rows.set(row.number, row);
     for (const number of eventsGone) this.events.delete(number);
     for (const event of events) this.events.set(event.number, event);
-    this.draw();
+    if (this.shown) this.draw();
   }
 
   async emit() {

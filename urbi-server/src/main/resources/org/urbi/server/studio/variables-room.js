@@ -68,7 +68,6 @@ export class Room {
     this.shown = false;
     this.studio.send({ type: "variables" });
     this.plot.rest();
-    this.objects.clear();
   }
 
   welcome() {
@@ -86,11 +85,10 @@ export class Room {
   }
 
   take(message) {
-    if (!this.shown) return;
-    if (message.type === "sample") this.plot.take(message);
+    if (message.type === "sample" && this.shown) this.plot.take(message);
     if (message.type !== "view" || !message.variables) return;
     this.objects.take(message.variables, message.time);
-    this.draw();
+    if (this.shown) this.draw();
   }
 
   draw() {
@@ -142,7 +140,6 @@ export class Room {
 
   toggle(way) {
     if (!this.objects.open.delete(way)) this.objects.open.add(way);
-    else this.objects.objects.delete(way);
     this.ask();
     this.draw();
   }

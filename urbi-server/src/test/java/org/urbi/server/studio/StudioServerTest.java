@@ -211,7 +211,7 @@ class StudioServerTest {
       page.send("{\"type\":\"variables\",\"objects\":[\"Global\",\"gone\"]}");
       String view = page.await("\"variables\"");
       assertTrue(view.contains("\"name\":\"plotted\",\"type\":\"Float\",\"value\":\"1.25\""), view);
-      assertTrue(view.contains("{\"way\":\"gone\",\"found\":false"), view);
+      assertTrue(view.contains("{\"way\":\"gone\",\"anew\":true,\"found\":false"), view);
       page.send("{\"type\":\"plot\",\"id\":3,\"ways\":[\"Global\\n.plotted\",\"gone\"]}");
       String sample = page.await("\"sample\"");
       assertTrue(sample.matches(".*\"id\":3,\"time\":[\\d.E]+,\"values\":\\[1.25,null].*"), sample);
