@@ -153,6 +153,7 @@ public final class Kernel implements AutoCloseable {
         new CommandLine(builder.programName, builder.arguments),
         new Environment(environmentAtStart()),
         new FileAccess(outside),
+        builder.services,
         log,
         loadedFiles,
         lobbies,

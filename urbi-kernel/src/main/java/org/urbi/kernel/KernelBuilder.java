@@ -21,6 +21,7 @@ import org.urbi.kernel.journal.RecordingReader;
 import org.urbi.kernel.journal.RecordingWriter;
 import org.urbi.kernel.journal.Replay;
 import org.urbi.kernel.journal.ReplayClock;
+import org.urbi.kernel.library.system.HostServices;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.outside.Confinement;
@@ -49,6 +50,7 @@ public final class KernelBuilder {
   private Consumer<Boolean> onMemoryNearlyFull = full -> {};
   private @Nullable Runnable onMemoryExhausted;
   @Nullable ModuleProcesses moduleProcesses;
+  HostServices services = HostServices.NONE;
   Consumer<String> output = text -> System.out.print(text);
   LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
   Consumer<String> log = System.err::println;
@@ -197,6 +199,12 @@ public final class KernelBuilder {
    */
   public KernelBuilder moduleProcesses(ModuleProcesses processes) {
     moduleProcesses = processes;
+    return this;
+  }
+
+  /** What the program around the kernel does when code asks for it; by default nothing. */
+  public KernelBuilder services(HostServices offered) {
+    services = offered;
     return this;
   }
 

@@ -24,6 +24,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
@@ -47,11 +48,15 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private static final Pattern FILE =
       Pattern.compile("(\\w[\\w-]*/)*\\w[\\w.-]*\\.(" + String.join("|", TYPES.keySet()) + ")");
 
+  /** A path of an annex: the name of its component, and what is asked for. */
+  private static final Pattern ANNEX = Pattern.compile("/annex/(\\w+)(/.*)");
+
   private final Page page;
   private final boolean local;
   private final String scheme;
   private final Supplier<ChannelHandler> viewer;
   private final @Nullable Guests guests;
+  private final @Nullable Entrance entrance;
   private final BooleanSupplier crowded;
 
   /**
@@ -59,6 +64,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
    * @param tls whether it is served by TLS
    * @param viewer makes what handles the stream of a browser
    * @param guests who else may come, or {@code null}
+   * @param entrance to the annexes of the page, or {@code null}
    * @param crowded whether there are so many streams that there may be no other one
    */
   PageFiles(
@@ -67,12 +73,14 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       boolean tls,
       Supplier<ChannelHandler> viewer,
       @Nullable Guests guests,
+      @Nullable Entrance entrance,
       BooleanSupplier crowded) {
     this.page = page;
     this.local = local;
     this.scheme = tls ? "https://" : "http://";
     this.viewer = viewer;
     this.guests = guests;
+    this.entrance = entrance;
     this.crowded = crowded;
   }
 
@@ -80,7 +88,6 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   protected void channelRead0(ChannelHandlerContext context, FullHttpRequest request)
       throws IOException {
     String path = new QueryStringDecoder(request.uri()).path();
-    String file = path.equals("/") ? "index.html" : path.substring(Math.min(1, path.length()));
     if (!request.decoderResult().isSuccess()) {
       answer(context, request, HttpResponseStatus.BAD_REQUEST);
     } else if (guests != null && isGuest(guests, request.headers())) {
@@ -94,17 +101,40 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       answer(context, request, HttpResponseStatus.FORBIDDEN);
     } else if (path.equals(STREAM)) {
       become(context, request, STREAM, null, page.longestMessage(), viewer.get());
-    } else if (!FILE.matcher(file).matches()) {
+    } else {
+      Matcher inside = ANNEX.matcher(path);
+      Annex annex =
+          entrance != null && inside.matches() ? entrance.annexes().find(inside.group(1)) : null;
+      if (entrance == null || annex == null) {
+        serve(context, request, page, path);
+      } else if (inside.group(2).equals(STREAM)) {
+        Page limits = annex.page();
+        context.channel().config().setWriteBufferWaterMark(limits.backlog());
+        ChannelHandler gate = entrance.gate().apply(annex);
+        become(context, request, path, null, limits.longestMessage(), gate);
+      } else {
+        serve(context, request, annex.page(), inside.group(2));
+      }
+    }
+  }
+
+  /** Answers with a file of a page. */
+  private void serve(ChannelHandlerContext context, FullHttpRequest request, Page from, String path)
+      throws IOException {
+    String file = path.equals("/") ? "index.html" : path.substring(Math.min(1, path.length()));
+    if (!FILE.matcher(file).matches()) {
       answer(context, request, HttpResponseStatus.NOT_FOUND);
     } else if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
       answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
     } else {
-      try (InputStream content = page.home().getResourceAsStream(file)) {
+      try (InputStream content = from.home().getResourceAsStream(file)) {
         if (content == null) {
           answer(context, request, HttpResponseStatus.NOT_FOUND);
         } else {
           String type = TYPES.get(file.substring(file.lastIndexOf('.') + 1)) + "; charset=utf-8";
-          answer(context, request, HttpResponseStatus.OK, type, content.readAllBytes());
+          // An annex is shown in a frame of this page.
+          String frames = from == page ? "'none'" : "'self'";
+          answer(context, request, HttpResponseStatus.OK, type, frames, content.readAllBytes());
         }
       }
     }
@@ -144,7 +174,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private static void answer(
       ChannelHandlerContext context, FullHttpRequest request, HttpResponseStatus status) {
     byte[] text = (status + "\n").getBytes(StandardCharsets.US_ASCII);
-    answer(context, request, status, "text/plain; charset=us-ascii", text);
+    answer(context, request, status, "text/plain; charset=us-ascii", "'none'", text);
   }
 
   private static void answer(
@@ -152,6 +182,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       FullHttpRequest request,
       HttpResponseStatus status,
       String type,
+      String frames,
       byte[] content) {
     boolean head = request.method() == HttpMethod.HEAD;
     ByteBuf body = head ? Unpooled.EMPTY_BUFFER : Unpooled.wrappedBuffer(content);
@@ -168,7 +199,8 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
         .set(
             HttpHeaderNames.CONTENT_SECURITY_POLICY,
             "default-src 'self'; img-src 'self' data:; media-src 'self' data:; base-uri 'none'; form-action 'none';"
-                + " frame-ancestors 'none'");
+                + " frame-ancestors "
+                + frames);
     if (goesOn) {
       context.writeAndFlush(response);
     } else {

@@ -78,6 +78,7 @@ public final class PagePort implements AutoCloseable {
    * @param tls with what the connections are encrypted, or {@code null}
    * @param viewer makes what handles the WebSocket frames of a browser
    * @param guests who else may come, or {@code null}
+   * @param entrance to pages of components that are served here, too, or {@code null}
    * @throws IOException if it cannot listen there; then it is closed
    */
   public void listen(
@@ -85,7 +86,8 @@ public final class PagePort implements AutoCloseable {
       @Nullable SslContext tls,
       Page page,
       Supplier<ChannelHandler> viewer,
-      @Nullable Guests guests)
+      @Nullable Guests guests,
+      @Nullable Entrance entrance)
       throws IOException {
     scheme = tls == null ? "http" : "https";
     host = address.getHostString();
@@ -117,6 +119,7 @@ public final class PagePort implements AutoCloseable {
                             tls != null,
                             viewer,
                             guests,
+                            entrance,
                             () -> connections(PagePort::isStream).count() >= MOST));
                   }
                 })

@@ -33,7 +33,8 @@ class SilenceTest {
     PagePort.serve(
         channel,
         page,
-        new PageFiles(page, true, false, ChannelInboundHandlerAdapter::new, null, () -> false));
+        new PageFiles(
+            page, true, false, ChannelInboundHandlerAdapter::new, null, null, () -> false));
   }
 
   @AfterEach

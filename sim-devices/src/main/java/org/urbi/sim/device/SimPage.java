@@ -7,6 +7,7 @@ import org.urbi.sim.SimulationException;
 import org.urbi.sim.page.PageServer;
 import org.urbi.sim.page.Snapshot;
 import org.urbi.sim.page.WorldDescription;
+import org.urbi.web.Annexes;
 import urbi.UEvent;
 import urbi.UImage;
 import urbi.UObject;
@@ -57,7 +58,7 @@ public final class SimPage extends UObject implements AutoCloseable {
   public void init(String worldName, int wanted) {
     SimWorld found = SimWorld.named(this, worldName);
     simulation = found;
-    server = new PageServer(THIS_MACHINE, wanted, setting(THIS_MACHINE), this::order);
+    serve(THIS_MACHINE, wanted);
     found.add(this);
     UBindVars(port, "port", host, "host", url, "url", viewers, "viewers");
     tellWhere();
@@ -67,6 +68,14 @@ public final class SimPage extends UObject implements AutoCloseable {
     UNotifyAccess(viewers, "count");
     UBindEvent(driven, "driven");
     UBindFunctions("showCamera", "showDetector", "obey");
+  }
+
+  /** On a port of its own, and on that of the studio, if the server has one. */
+  private void serve(String onHost, int onPort) {
+    PageServer serving = new PageServer(onHost, onPort, setting(), this::order);
+    server = serving;
+    Annexes.of(getUContext())
+        .put(get__name(), serving.annex(WorldDescription.title(ready(simulation).world())));
   }
 
   private void tellWhere() {
@@ -87,21 +96,18 @@ public final class SimPage extends UObject implements AutoCloseable {
     int oldPort = old.port();
     old.close();
     try {
-      server = new PageServer(newHost, newPort, setting(newHost), this::order);
+      serve(newHost, newPort);
       usedHost = newHost;
     } catch (SimulationException e) {
-      server = new PageServer(usedHost, oldPort, setting(usedHost), this::order);
+      serve(usedHost, oldPort);
       throw e;
     } finally {
       tellWhere();
     }
   }
 
-  private String setting(String shownOn) {
-    return WorldDescription.of(
-        ready(simulation).world(),
-        camera == null ? null : camera.mount(),
-        PageServer.isOpen(shownOn));
+  private String setting() {
+    return WorldDescription.of(ready(simulation).world(), camera == null ? null : camera.mount());
   }
 
   /** Somebody who looks wants something; on the thread of the page. */
@@ -141,7 +147,7 @@ public final class SimPage extends UObject implements AutoCloseable {
       imageVariable = variable;
       UNotifyChange(variable, "newImage");
     }
-    ready(server).describe(setting(usedHost));
+    ready(server).describe(setting());
   }
 
   /**
@@ -199,6 +205,7 @@ public final class SimPage extends UObject implements AutoCloseable {
       simulation.remove(this);
     }
     if (server != null) {
+      Annexes.of(getUContext()).remove(get__name());
       server.close();
     }
   }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.BindException;
 import java.net.InetSocketAddress;
 import org.urbi.sim.SimulationException;
+import org.urbi.web.Annex;
 import org.urbi.web.Page;
 import org.urbi.web.PagePort;
 
@@ -20,6 +21,7 @@ public final class PageServer implements AutoCloseable {
 
   private final PagePort served;
   private final Viewers viewers;
+  private final Orders orders;
 
   /**
    * Begins to serve.
@@ -41,26 +43,27 @@ public final class PageServer implements AutoCloseable {
     }
     served = new PagePort("page");
     viewers = new Viewers(served.thread(), setting);
-    Orders taker = isOpen(address) ? orders : this::refuse;
+    this.orders = orders;
+    String refusal =
+        address.getAddress().isLoopbackAddress()
+            ? ""
+            : "This page also serves other machines: it can only be looked at.";
     try {
-      served.listen(address, null, PAGE, () -> new ViewerHandler(viewers, taker), null);
+      served.listen(
+          address, null, PAGE, () -> new ViewerHandler(viewers, orders, refusal), null, null);
     } catch (IOException e) {
       throw new SimulationException(whyNot(host, port, e), e);
     }
     viewers.start();
   }
 
-  /** Whether who looks may also intervene: only people at this machine reach it. */
-  public static boolean isOpen(String host) {
-    return isOpen(new InetSocketAddress(host, 0));
-  }
-
-  private static boolean isOpen(InetSocketAddress address) {
-    return !address.isUnresolved() && address.getAddress().isLoopbackAddress();
-  }
-
-  private void refuse(String viewer, String order) {
-    tell(viewer, "This page also serves other machines: it can only be looked at.");
+  /**
+   * The page as a part of others, which decide who may intervene.
+   *
+   * @param title for people
+   */
+  public Annex annex(String title) {
+    return new Annex(title, PAGE, refusal -> new ViewerHandler(viewers, orders, refusal));
   }
 
   private static String whyNot(String host, int port, IOException failure) {
@@ -114,6 +117,7 @@ public final class PageServer implements AutoCloseable {
   /** Leaves all browsers alone and frees the port. */
   @Override
   public void close() {
+    viewers.close();
     served.close();
   }
 }

@@ -22,13 +22,18 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
 
   private final Viewers viewers;
   private final Orders orders;
+  private final String refusal;
   private int recent;
   private boolean driving;
   private @Nullable ScheduledFuture<?> second;
 
-  ViewerHandler(Viewers viewers, Orders orders) {
+  /**
+   * @param refusal why it can only look; empty if it may give orders
+   */
+  ViewerHandler(Viewers viewers, Orders orders, String refusal) {
     this.viewers = viewers;
     this.orders = orders;
+    this.refusal = refusal;
   }
 
   @Override
@@ -39,6 +44,10 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
     }
     if (++recent > MOST_ORDERS) {
       refuse(context);
+      return;
+    }
+    if (!refusal.isEmpty()) {
+      context.writeAndFlush(Viewers.refusal(refusal));
       return;
     }
     String order = text.text();
@@ -52,6 +61,7 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
     if (event instanceof HandshakeComplete) {
       Channel channel = context.channel();
+      context.writeAndFlush(Viewers.told("may", refusal));
       viewers.add(channel);
       second = channel.eventLoop().scheduleAtFixedRate(this::forget, 1, 1, TimeUnit.SECONDS);
     } else {

@@ -3,9 +3,12 @@ package org.urbi.sim.page;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.Channel;
 import io.netty.channel.group.ChannelGroup;
+import io.netty.channel.group.ChannelMatcher;
 import io.netty.channel.group.DefaultChannelGroup;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
 import io.netty.util.concurrent.EventExecutor;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -20,7 +23,8 @@ import urbi.UImageFormat;
 /**
  * The connected browsers, and what they are sent: the world description, then snapshots (text).
  * Each new camera image (a JPEG file) follows the first snapshot that contains it. Everything but
- * {@link #isWaiting}, {@link #show} and {@link #describe} is done on the page's thread.
+ * {@link #isWaiting}, {@link #show} and {@link #describe} is done on the page's thread, also for
+ * those who look by way of another page.
  */
 final class Viewers {
   /** Moments in a second, at most. */
@@ -73,7 +77,8 @@ final class Viewers {
     return told("refusal", text);
   }
 
-  private static TextWebSocketFrame told(String type, String text) {
+  /** Something for people, or for the page. */
+  static TextWebSocketFrame told(String type, String text) {
     Map<String, Object> all = new LinkedHashMap<>();
     all.put("type", type);
     all.put("text", text);
@@ -82,6 +87,10 @@ final class Viewers {
 
   /** A browser looks from now on; it is sent what there is. */
   void add(Channel viewer) {
+    execute(() -> welcome(viewer));
+  }
+
+  private void welcome(Channel viewer) {
     viewers.add(viewer);
     viewer.write(new TextWebSocketFrame(setting));
     if (moment != null) {
@@ -105,6 +114,14 @@ final class Viewers {
       image = null;
       viewers.writeAndFlush(new TextWebSocketFrame(other));
     });
+  }
+
+  /** Says goodbye to those who look by way of another page, whose port stays. */
+  void close() {
+    ChannelMatcher elsewhere = viewer -> viewer.eventLoop() != thread;
+    CloseWebSocketFrame end = new CloseWebSocketFrame(WebSocketCloseStatus.ENDPOINT_UNAVAILABLE);
+    viewers.writeAndFlush(end, elsewhere);
+    viewers.close(elsewhere);
   }
 
   private void execute(Runnable work) {

@@ -27,17 +27,15 @@ public final class WorldDescription {
    * Describes a world, as the page reads it.
    *
    * @param camera the one that is shown; null for none
-   * @param open whether who looks may also intervene
    */
-  public static String of(SimulatedWorld world, Mount.@Nullable Camera camera, boolean open) {
+  public static String of(SimulatedWorld world, Mount.@Nullable Camera camera) {
     Map<String, Object> all = new LinkedHashMap<>();
     all.put("type", "setting");
-    all.put("title", world.robot().map(RobotDescription::name).orElse("Simulation"));
+    all.put("title", title(world));
     all.put("engine", world.physics().engine().name());
     all.put("bodies", world.bodies().stream().map(body -> body(world, body)).toList());
     all.put("drives", world.drives().stream().map(WorldDescription::drive).toList());
     all.put("eyes", eyes(world));
-    all.put("open", open);
     all.put("mobile", world.robot().map(RobotDescription::mobile).orElse(false));
     all.put("background", colour(world.background()));
     if (camera != null) {
@@ -55,6 +53,11 @@ public final class WorldDescription {
               lens.xfov()));
     }
     return Json.text(all);
+  }
+
+  /** What people call a world. */
+  public static String title(SimulatedWorld world) {
+    return world.robot().map(RobotDescription::name).orElse("Simulation");
   }
 
   /** For each camera its name, its angle of view and its width by its height. */

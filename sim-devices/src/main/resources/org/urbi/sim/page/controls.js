@@ -11,6 +11,7 @@ export class Controls {
   #send;
   #space = null;
   #setting = null;
+  #refusal = "";
   #moment = null;
   #picked = null;
   #held = new Map();
@@ -29,13 +30,19 @@ export class Controls {
     this.#addDriving();
   }
 
+  // Whether anything may be changed: the text says why not.
+  may(refusal) {
+    this.#refusal = refusal;
+    for (const control of this.#byId("controls").querySelectorAll("button, select, input")) control.disabled = Boolean(refusal);
+    this.#byId("controls").title = refusal;
+    this.pick(this.#picked);
+  }
+
   begin(setting) {
     this.#setting = setting;
     this.#moment = null;
     this.#held.clear();
     this.#driven = "0 0";
-    for (const control of this.#byId("controls").querySelectorAll("button, select, input")) control.disabled = !setting.open;
-    this.#byId("controls").title = setting.open ? "" : "This page also serves other machines: it can only be looked at.";
     this.#byId("driving").hidden = !setting.mobile;
     this.pick(null);
   }
@@ -49,7 +56,7 @@ export class Controls {
     this.#picked = index;
     const body = this.#setting?.bodies[index];
     this.#byId("space").dataset.picked = body?.name ?? "";
-    this.#byId("push").disabled = !this.#setting?.open || !body || body.fixed;
+    this.#byId("push").disabled = Boolean(this.#refusal) || !body || body.fixed;
     this.#sayPicked();
   }
 
@@ -128,7 +135,7 @@ export class Controls {
   }
 
   #drive() {
-    if (!this.#setting?.open || !this.#setting.mobile) return;
+    if (this.#refusal || !this.#setting?.mobile) return;
     const sum = (n) => Math.max(-1, Math.min(1, [...this.#held.values()].reduce((all, way) => all + way[n], 0)));
     // Of −0 no word is to be made.
     const wanted = `${sum(0) || 0} ${sum(1) || 0}`;

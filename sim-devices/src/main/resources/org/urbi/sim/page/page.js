@@ -8,6 +8,8 @@ const FIRST_WAIT = 500;
 const LONGEST_WAIT = 5000;
 const SPEED_SECONDS = 2;
 const REFUSAL_SECONDS = 8;
+// The status of the close when the studio lets nobody in.
+const REFUSED = 4003;
 
 const byId = (id) => document.getElementById(id);
 const views = [
@@ -55,6 +57,9 @@ function showTime(time) {
 
 function take(message) {
   switch (message.type) {
+    case "may":
+      controls.may(message.text);
+      break;
     case "setting":
       setting = message;
       moment = null;
@@ -113,7 +118,11 @@ async function addSpace() {
 }
 
 function connect() {
-  stream = new WebSocket(`ws://${location.host}/stream`);
+  // As a part of the studio it has the token of the studio, and its colours.
+  const token = sessionStorage.getItem("token");
+  const address = new URL(token ? `stream?token=${encodeURIComponent(token)}` : "stream", location.href);
+  address.protocol = location.protocol.replace("http", "ws");
+  stream = new WebSocket(address);
   stream.binaryType = "blob";
   stream.onopen = () => {
     wait = FIRST_WAIT;
@@ -124,14 +133,26 @@ function connect() {
     if (typeof data === "string") take(JSON.parse(data));
     else camera.show(data).then(redraw);
   };
-  stream.onclose = () => {
+  stream.onclose = ({ code, reason }) => {
+    if (code === REFUSED) {
+      say("lost", reason);
+      return;
+    }
     say("lost", "connection lost, trying again…");
     setTimeout(connect, wait);
     wait = Math.min(2 * wait, LONGEST_WAIT);
   };
 }
 
+function theme() {
+  const chosen = localStorage.getItem("theme");
+  if (chosen) document.documentElement.dataset.theme = chosen;
+  redraw();
+}
+
+addEventListener("storage", theme);
 addEventListener("resize", redraw);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+theme();
 connect();
 addSpace().catch((error) => console.warn("There is no third dimension in this browser:", error.message));

@@ -87,7 +87,7 @@ class PageServerTest {
   @BeforeEach
   void serve() {
     Mount.Camera eye = world.mount(Mount.Camera.class, "eye");
-    server = new PageServer(LOCAL, 0, WorldDescription.of(world, eye, true), this::take);
+    server = new PageServer(LOCAL, 0, WorldDescription.of(world, eye), this::take);
   }
 
   @AfterEach
@@ -146,17 +146,21 @@ class PageServerTest {
     }
   }
 
-  private Stream watch() {
+  private Stream watch() throws InterruptedException {
     Stream stream = new Stream();
     connect(stream);
     return stream;
   }
 
-  private WebSocket connect(Stream stream) {
-    return client
-        .newWebSocketBuilder()
-        .buildAsync(URI.create("ws://127.0.0.1:" + server.port() + "/stream"), stream)
-        .join();
+  /** What it is told first is that it may intervene. */
+  private WebSocket connect(Stream stream) throws InterruptedException {
+    WebSocket socket =
+        client
+            .newWebSocketBuilder()
+            .buildAsync(URI.create("ws://127.0.0.1:" + server.port() + "/stream"), stream)
+            .join();
+    assertEquals("{\"type\":\"may\",\"text\":\"\"}", stream.next());
+    return socket;
   }
 
   private void awaitReadiness() throws InterruptedException {
@@ -311,11 +315,20 @@ class PageServerTest {
   }
 
   @Test
-  void onlyPagesOfThisMachineAreOpen() {
-    assertTrue(PageServer.isOpen("127.0.0.1"));
-    assertTrue(PageServer.isOpen("localhost"));
-    assertFalse(PageServer.isOpen("0.0.0.0"));
-    assertFalse(PageServer.isOpen("192.0.2.1"));
+  void pagesForOtherMachinesCanOnlyBeLookedAt() throws Exception {
+    server.close();
+    server = new PageServer("0.0.0.0", 0, WorldDescription.of(world, null), this::take);
+    Stream stream = new Stream();
+    WebSocket socket =
+        client
+            .newWebSocketBuilder()
+            .buildAsync(URI.create("ws://127.0.0.1:" + server.port() + "/stream"), stream)
+            .join();
+    assertTrue(((String) stream.next()).contains("\"may\",\"text\":\"This page also serves"));
+    stream.next();
+    socket.sendText("step 3", true).join();
+    assertTrue(((String) stream.next()).contains("\"refusal\",\"text\":\"This page also serves"));
+    assertNull(orders.poll());
   }
 
   @Test

@@ -30,6 +30,7 @@ class SimulatedRobotTest {
   private static final String LAUNCH = "org.urbi.server.launch.UrbiLaunchJava";
   private static final String DEMO = "examples/ball-tracking/demo.u";
   private static final String ADDRESS = "Look at it: ";
+  private static final String ALONE = "Its page: ";
 
   @TempDir static Path built;
   private static Setting root;
@@ -67,8 +68,9 @@ class SimulatedRobotTest {
         JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
-      assertTrue(address.matches("http://localhost:\\d+/"), address);
+      assertTrue(address.matches("http://localhost:\\d+/#robot"), address);
       browser.open(address);
+      goesFromTheStudioToThePage(browser);
       imagesComeAndShowTheBall(browser);
       everythingMoves(browser);
       connectsAgain(browser, urbi);
@@ -81,6 +83,17 @@ class SimulatedRobotTest {
           "lost"::equals);
       assertEquals(0, urbi.awaitEnd(), urbi::text);
     }
+  }
+
+  private static void goesFromTheStudioToThePage(Browser browser) throws Exception {
+    String frame = "document.querySelector('#robot-frame iframe')";
+    browser.await(
+        "the page in the room of the robot",
+        "return " + frame + "?.contentDocument?.querySelector('#connection')?.dataset.state",
+        "live"::equals);
+    browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
+    browser.await("the room of the jobs", "return !!" + frame, "false"::equals);
+    browser.open(browser.evaluate("return document.querySelector('#robot-alone').href"));
   }
 
   private static void imagesComeAndShowTheBall(Browser browser) throws Exception {
@@ -170,8 +183,9 @@ class SimulatedRobotTest {
   void worldIsTouchedInABrowser(@TempDir Path folder) throws Exception {
     try (Browser browser = Browser.startSpatial(folder);
         JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
-      String line = urbi.awaitText(ADDRESS);
-      browser.open(line.substring(line.indexOf(ADDRESS) + ADDRESS.length()));
+      urbi.send("echo(\"" + ALONE + "\" + simulation.page.url);\n");
+      String line = urbi.awaitText(ALONE);
+      browser.open(line.substring(line.indexOf(ALONE) + ALONE.length()));
       browser.await("the world in three dimensions", SPACE, count -> number(count) > 50);
       urbi.send("playing.stop;\n");
       timeIsHaltedAndStepped(browser);
@@ -323,7 +337,7 @@ class SimulatedRobotTest {
         JavaProcess urbi =
             JavaProcess.start(
                 root, URBI, List.of("-q", "-i", DEMO, String.valueOf(other.getLocalPort())))) {
-      urbi.awaitText("cannot use port " + other.getLocalPort() + " of 127.0.0.1");
+      urbi.awaitText("cannot serve the studio on 127.0.0.1:" + other.getLocalPort());
       urbi.awaitText("./urbi examples/ball-tracking/demo.u PORT");
       urbi.send("simulation.world.time > 0;\n");
       urbi.awaitLine(line -> line.endsWith("] true"));

@@ -24,9 +24,6 @@ import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
-import org.urbi.server.studio.StudioServer;
-import org.urbi.server.studio.files.Folders;
-import org.urbi.server.studio.mcap.McapRecorder;
 import urbi.ServerConnection;
 
 /** One run of {@code urbi}: starts the kernel and its connections, and ends them. */
@@ -49,7 +46,7 @@ final class Server {
   private volatile boolean ending;
   private volatile boolean terminated;
   private volatile @Nullable ConsoleServer listening;
-  private volatile @Nullable McapRecorder recording;
+  private volatile @Nullable ServerServices services;
   private volatile @Nullable Watchdog watchdog;
   private boolean outputLost;
 
@@ -80,6 +77,8 @@ final class Server {
   private int runOnce() {
     var modules =
         new IsolatedProcesses(IsolatedProcesses.START_LIMIT, settings.maxHold(), settings.trace());
+    var served = new ServerServices(settings);
+    services = served;
     Kernel started =
         withFiles(recorded(Kernel.builder()))
             .virtualTime(settings.fast())
@@ -95,22 +94,23 @@ final class Server {
             .onMemoryNearlyFull(this::obeySignals)
             .onMemoryExhausted(this::endWithoutMemory)
             .moduleProcesses(modules)
+            .services(served)
             .start();
     kernel = started;
+    served.begin(started);
     ConsoleServer network = null;
-    StudioServer studio = null;
     watch(started);
-    McapRecorder recorder = null;
     // One that a server has left behind would be believed until this one listens.
     removePortFile();
     try {
-      recorder = recordVariables();
-      recording = recorder;
+      recordVariables(served);
       startFiles.loadRos(started, err, System.getenv());
       startFiles.loadGlobal(started, err);
       network = settings.keepsServing() ? listen() : null;
       listening = network;
-      studio = settings.hasStudio() ? openStudio() : null;
+      if (settings.hasStudio()) {
+        openStudio(served);
+      }
       if (network != null) {
         // Beside the start, which it would delay.
         Thread.ofPlatform().daemon().name("urbi-heap").start(ServerHeap::keepRoom);
@@ -122,18 +122,14 @@ final class Server {
       return status == 0 && settings.strict() && local.hasFailed() ? LocalConsole.FAILED : status;
     } finally {
       started.close();
-      if (recorder != null) {
-        recorder.close();
-      }
+      served.endRecording();
       modules.close();
       listening = null;
       if (network != null) {
         network.close();
         removePortFile();
       }
-      if (studio != null) {
-        studio.close();
-      }
+      served.close();
       LocalConsole local = console;
       if (local != null) {
         // Its reader may never read: until then SIGTERM must be obeyed.
@@ -221,23 +217,13 @@ final class Server {
     return runs == 1 ? file : file + "." + runs;
   }
 
-  private @Nullable McapRecorder recordVariables() {
-    if (settings.mcap() == null) {
-      return null;
-    }
-    Path file = Path.of(ofThisRun(settings.mcap()));
-    try {
-      return new McapRecorder(
-          file,
-          client -> kernel().connect(client, false),
-          settings.shown().paths(),
-          settings.trace()::log);
-    } catch (IOException e) {
-      throw Failure.of(
-          "cannot write the recording "
-              + file
-              + ": "
-              + Failure.reason(new UncheckedIOException(e)));
+  private void recordVariables(ServerServices services) {
+    if (settings.mcap() != null) {
+      try {
+        services.startMcap(Path.of(ofThisRun(settings.mcap())));
+      } catch (IOException e) {
+        throw Failure.of(e.getMessage());
+      }
     }
   }
 
@@ -257,9 +243,9 @@ final class Server {
 
   /** Ends the process at once, after writing pending output. */
   private void halt(int status) {
-    McapRecorder recorder = recording;
-    if (recorder != null) {
-      recorder.close();
+    ServerServices serving = services;
+    if (serving != null) {
+      serving.endRecording();
     }
     LocalConsole local = console;
     if (local != null) {
@@ -315,27 +301,10 @@ final class Server {
     }
   }
 
-  private StudioServer openStudio() {
-    InetSocketAddress address = new InetSocketAddress(settings.host(), settings.studio());
-    if (address.isUnresolved()) {
-      throw Failure.of("unknown host: " + settings.host());
-    }
-    String warning = settings.access().checkAddress(address);
-    if (warning != null && !settings.hasPort()) {
-      settings.trace().log(warning);
-    }
+  private void openStudio(ServerServices services) {
     try {
-      StudioServer studio =
-          new StudioServer(
-              address,
-              client -> kernel().connect(client, false),
-              settings.access().accessPolicy(),
-              settings.shown(),
-              new Folders(Path.of(""), settings.access().userDirectory()),
-              settings.trace());
-      kernel().evalAsync("System.studio = \"" + studio.url() + "\"|");
-      settings.trace().log("studio: " + studio.url());
-      return studio;
+      String url = services.openStudio(settings.studio());
+      kernel().evalAsync("System.studio = \"" + url + "\"|");
     } catch (IOException e) {
       throw Failure.of(e.getMessage() + "; --studio=0 takes any free port");
     }

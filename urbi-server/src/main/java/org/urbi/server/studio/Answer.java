@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Map;
 import org.urbi.kernel.job.Turn;
 import org.urbi.kernel.observe.JobDetail;
 import org.urbi.kernel.observe.JobRow;
@@ -13,6 +14,7 @@ import org.urbi.kernel.observe.ReactionView;
 import org.urbi.kernel.observe.TagRow;
 import org.urbi.kernel.observe.VariableView;
 import org.urbi.kernel.observe.View;
+import org.urbi.web.Annex;
 
 /** What a browser is told, as JSON. */
 final class Answer {
@@ -34,6 +36,22 @@ final class Answer {
           out.writeStringField("role", role);
           out.writeStringField("version", version);
           writeTexts(out, "keywords", keywords);
+        });
+  }
+
+  /** The simulated worlds whose pages can be shown, by the names of their components. */
+  static String worlds(Map<String, Annex> annexes) {
+    return object(
+        "worlds",
+        out -> {
+          out.writeArrayFieldStart("worlds");
+          for (Map.Entry<String, Annex> each : annexes.entrySet()) {
+            out.writeStartObject();
+            out.writeStringField("name", each.getKey());
+            out.writeStringField("title", each.getValue().title());
+            out.writeEndObject();
+          }
+          out.writeEndArray();
         });
   }
 

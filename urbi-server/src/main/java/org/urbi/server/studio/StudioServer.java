@@ -10,9 +10,12 @@ import org.urbi.kernel.Connection;
 import org.urbi.server.Trace;
 import org.urbi.server.net.TlsGate;
 import org.urbi.server.studio.access.Admission;
+import org.urbi.server.studio.access.AnnexGate;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.foxglove.ProgramHandler;
 import org.urbi.server.trust.AccessPolicy;
+import org.urbi.web.Annexes;
+import org.urbi.web.Entrance;
 import org.urbi.web.Guests;
 import org.urbi.web.Page;
 import org.urbi.web.PagePort;
@@ -38,6 +41,7 @@ public final class StudioServer implements AutoCloseable {
    * @param accessPolicy who is let in, and as what
    * @param shown what programs that speak Foxglove's protocol are shown, and who they may be
    * @param folders the files that people edit
+   * @param annexes the pages of the components in this server
    * @throws IOException if it cannot listen there, or TLS cannot be had; the message says why
    */
   public StudioServer(
@@ -46,6 +50,7 @@ public final class StudioServer implements AutoCloseable {
       AccessPolicy accessPolicy,
       Shown shown,
       Folders folders,
+      Annexes annexes,
       Trace trace)
       throws IOException {
     this.accessPolicy = accessPolicy;
@@ -64,8 +69,9 @@ public final class StudioServer implements AutoCloseable {
           address,
           tls,
           PAGE,
-          () -> new Viewer(admission, lobbies, syntax, folders, fileWorker),
-          programs);
+          () -> new Viewer(admission, lobbies, syntax, folders, fileWorker, annexes),
+          programs,
+          new Entrance(annexes, annex -> new AnnexGate(admission, annex)));
     } catch (IOException e) {
       throw new IOException(
           "cannot serve the studio on "

@@ -23,6 +23,7 @@ import org.urbi.server.studio.access.Admission;
 import org.urbi.server.studio.access.PageClient;
 import org.urbi.server.studio.access.StreamHandler;
 import org.urbi.server.studio.files.Folders;
+import org.urbi.web.Annexes;
 
 /**
  * A browser. When it has been let in, it has a connection to the kernel, with a lobby whose role is
@@ -40,6 +41,8 @@ final class Viewer extends StreamHandler {
   private final SyntaxCheck syntax;
   private final Folders folders;
   private final Worker fileWorker;
+  private final Annexes annexes;
+  private Runnable notListening = () -> {};
   private @Nullable Connection connection;
   private @Nullable Sampler sampler;
   private @Nullable CodeDesk desk;
@@ -53,12 +56,14 @@ final class Viewer extends StreamHandler {
       Function<Client, Connection> lobbies,
       SyntaxCheck syntax,
       Folders folders,
-      Worker fileWorker) {
+      Worker fileWorker,
+      Annexes annexes) {
     super(admission, MOST_REQUESTS);
     this.lobbies = lobbies;
     this.syntax = syntax;
     this.folders = folders;
     this.fileWorker = fileWorker;
+    this.annexes = annexes;
   }
 
   // ------------------------------------------------------------------ who it is
@@ -78,6 +83,8 @@ final class Viewer extends StreamHandler {
     files = new FileDesk(channel, role, folders, fileWorker);
     List<String> keywords = Keywords.all().stream().sorted().toList();
     send(channel, Answer.hello(role.text(), Version.number(), keywords));
+    notListening = annexes.listen(() -> send(channel, Answer.worlds(annexes.all())));
+    send(channel, Answer.worlds(annexes.all()));
     look(channel);
   }
 
@@ -205,6 +212,7 @@ final class Viewer extends StreamHandler {
 
   @Override
   protected void left() {
+    notListening.run();
     connection().close();
   }
 }

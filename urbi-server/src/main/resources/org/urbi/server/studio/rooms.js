@@ -14,4 +14,5 @@ export const ROOMS = [
     load: () => import("./variables-room.js"),
   },
   { name: "code", title: "Code", styles: ["code.css"], load: () => import("./code-room.js") },
+  { name: "robot", title: "Robot", styles: ["robot.css"], load: () => import("./robot-room.js") },
 ];

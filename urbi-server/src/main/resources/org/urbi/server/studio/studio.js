@@ -19,6 +19,8 @@ const studio = {
   mayChange: false,
   // The keywords of urbiscript.
   keywords: [],
+  // The simulated worlds whose pages can be shown: name and title.
+  worlds: [],
 
   // Tells the server something that it does not answer.
   send: (message) => stream.send(message),
@@ -75,6 +77,9 @@ function take(message) {
       byId("count").textContent = studio.jobs.rows.size.toLocaleString("en");
       byId("load").textContent = `${Math.min(100, studio.jobs.load / 10).toFixed(1)} %`;
       if (byId("connection").dataset.state === "live") byId("connection").textContent = "live";
+      break;
+    case "worlds":
+      studio.worlds = message.worlds;
       break;
     case "done":
       resolve(message.id, message.error, message);

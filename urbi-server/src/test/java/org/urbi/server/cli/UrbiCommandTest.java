@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
@@ -239,6 +240,40 @@ class UrbiCommandTest {
     Result replay = urbi("--replay", "run", "--mcap", "x.mcap");
     assertEquals(2, replay.status());
     assertTrue(replay.err().contains("nothing else"), replay.err());
+  }
+
+  @Test
+  void codeOpensTheStudioAndRecordsVariables() throws Exception {
+    String program =
+        file(
+            "program.u",
+            """
+            function why(f) { try { f() } catch (var e) { e.message } }|;
+            var address = System.openStudio(0)|;
+            [address == System.studio, address == System.openStudio];
+            why(function () { System.openStudio(77777) });
+            why(function () { System.stopMcap });
+            System.startMcap("values.mcap");
+            why(function () { System.startMcap("others.mcap") }).split(" to ")[0];
+            System.stopMcap;
+            why(function () { System.startMcap("no/such/values.mcap") }).split(": ")[1];
+            """);
+    Result run = urbi("-q", "--record", "run", program);
+    assertEquals(
+        """
+        [] [true, true]
+        [] "invalid port: 77777"
+        [] "no variables are being recorded"
+        [] "variables are being recorded already,"
+        [] "no such directory"\
+        """,
+        run.out());
+    byte[] file = Files.readAllBytes(folder.resolve("values.mcap"));
+    String end = new String(file, file.length - 8, 8, StandardCharsets.ISO_8859_1);
+    assertEquals("\u0089MCAP0\r\n", end, "it is complete");
+    Files.delete(folder.resolve("values.mcap"));
+    assertEquals(run.out(), urbi("--replay", "run").out());
+    assertFalse(Files.exists(folder.resolve("values.mcap")), "a replay records nothing");
   }
 
   @Test

@@ -7,10 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
-import java.io.PrintStream;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.http.WebSocket;
 import java.nio.ByteBuffer;
@@ -27,18 +24,12 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.trust.Role;
-import org.urbi.server.Trace;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.Tokens;
 
 /** What programs that speak Foxglove's protocol are answered at the studio's port. */
 class FoxgloveTest {
-  private static final Trace SILENT =
-      new Trace(
-          Trace.Level.NONE,
-          new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
-
   private static final String PROTOCOL = "foxglove.sdk.v1";
   private static final String FRIEND = "https://friend.example";
 
@@ -68,13 +59,7 @@ class FoxgloveTest {
   }
 
   private static StudioServer serve(AccessPolicy policy) throws IOException {
-    return new StudioServer(
-        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-        client -> kernel.connect(client, false),
-        policy,
-        new Shown(List.of(), Set.of(FRIEND)),
-        Folders.NONE,
-        SILENT);
+    return Served.of(kernel, policy, new Shown(List.of(), Set.of(FRIEND)), Folders.NONE);
   }
 
   /**

@@ -13,6 +13,7 @@ import java.util.function.Predicate;
 class StreamClient implements WebSocket.Listener, AutoCloseable {
   final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   final WebSocket socket;
+  volatile int status;
   private final StringBuilder part = new StringBuilder();
 
   /**
@@ -39,7 +40,8 @@ class StreamClient implements WebSocket.Listener, AutoCloseable {
   }
 
   @Override
-  public CompletionStage<?> onClose(WebSocket from, int status, String reason) {
+  public CompletionStage<?> onClose(WebSocket from, int code, String reason) {
+    status = code;
     heard.add("closed");
     return null;
   }

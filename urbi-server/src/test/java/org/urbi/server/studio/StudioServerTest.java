@@ -4,11 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.SimpleChannelInboundHandler;
+import io.netty.channel.WriteBufferWaterMark;
+import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.PrintStream;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -24,18 +25,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.trust.Role;
-import org.urbi.server.Trace;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.Tokens;
+import org.urbi.web.Annex;
+import org.urbi.web.Annexes;
+import org.urbi.web.Page;
 
 /** What browsers, and others that come to the studio's port, are answered. */
 class StudioServerTest {
-  private static final Trace SILENT =
-      new Trace(
-          Trace.Level.NONE,
-          new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
-
   @TempDir static Path folder;
   private static Kernel kernel;
   private static StudioServer studio;
@@ -54,18 +52,12 @@ class StudioServerTest {
   }
 
   private static StudioServer serve(AccessPolicy policy) throws IOException {
-    return new StudioServer(
-        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-        client -> kernel.connect(client, false),
-        policy,
-        Shown.VARIABLES,
-        new Folders(folder, null),
-        SILENT);
+    return Served.of(kernel, policy, Shown.VARIABLES, new Folders(folder, null));
   }
 
   /** A browser's end of the stream. */
-  private static final class Page extends StreamClient {
-    Page(StudioServer studio, String query) {
+  private static final class Browser extends StreamClient {
+    Browser(StudioServer studio, String query) {
       super(studio, "/stream" + query);
     }
   }
@@ -147,7 +139,7 @@ class StudioServerTest {
 
   @Test
   void whatMakesNoSenseIsAnsweredAndDoesNothing() throws Exception {
-    try (Page page = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "")) {
       page.await("\"hello\"");
       List<List<String>> mistakes =
           List.of(
@@ -206,7 +198,7 @@ class StudioServerTest {
   void variablesAreToldPlottedAndAssigned() throws Exception {
     kernel.eval("var Global.plotted = 1.25|");
     kernel.eval("var Global.picture = Binary.new(\"jpeg 2 1\", \"abc\")|");
-    try (Page page = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "")) {
       assertFalse(page.await("\"complete\":true").contains("\"variables\""));
       page.send("{\"type\":\"variables\",\"objects\":[\"Global\",\"gone\"]}");
       String view = page.await("\"variables\"");
@@ -240,7 +232,7 @@ class StudioServerTest {
 
   @Test
   void codeRunsAndIsStopped() throws Exception {
-    try (Page page = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "")) {
       assertTrue(page.await("\"hello\"").contains("\"whenever\""), "the keywords");
       page.send(code("run", 1, "echo(\\\"gr\u00fcn\\\"); 20 + 3"));
       assertEquals(
@@ -261,7 +253,7 @@ class StudioServerTest {
 
   @Test
   void textsAreCheckedAndCompleted() throws Exception {
-    try (Page page = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "")) {
       page.await("\"hello\"");
       page.send(code("check", 1, "echo(\\\"gr\u00fcn\\\"); 1 +* 2"));
       String mistakes = page.await("\"done\"");
@@ -282,8 +274,8 @@ class StudioServerTest {
 
   @Test
   void oneTextIsCheckedAtATime() throws Exception {
-    try (Page page = new Page(studio, "");
-        Page other = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "");
+        Browser other = new Browser(studio, "")) {
       page.await("\"hello\"");
       other.await("\"hello\"");
       String large = "f(1 + 2 * 3);\\n".repeat(5000);
@@ -299,8 +291,8 @@ class StudioServerTest {
   @Test
   void filesAreListedOpenedAndSaved() throws Exception {
     Files.writeString(folder.resolve("walk.u"), "walk;");
-    try (Page page = new Page(studio, "");
-        Page other = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "");
+        Browser other = new Browser(studio, "")) {
       other.await("\"hello\"");
       page.await("\"hello\"");
       page.send("{\"type\":\"files\",\"id\":1}");
@@ -325,7 +317,7 @@ class StudioServerTest {
   @Test
   void reactionsAreToldOnlyToThoseWhoWantThem() throws Exception {
     kernel.eval("wanted: at (true && 1 == 2) 1|");
-    try (Page page = new Page(studio, "")) {
+    try (Browser page = new Browser(studio, "")) {
       assertFalse(page.await("\"complete\":true").contains("\"reactions\""));
       page.send("{\"type\":\"reactions\",\"filter\":\"1 == 2\"}");
       assertTrue(page.await("\"reactions\"").contains("at (true && 1 == 2) 1"));
@@ -338,9 +330,9 @@ class StudioServerTest {
 
   @Test
   void floodsAndLongMessagesEndOnlyTheirOwnConnection() throws Exception {
-    try (Page good = new Page(studio, "");
-        Page bad = new Page(studio, "");
-        Page longWinded = new Page(studio, "")) {
+    try (Browser good = new Browser(studio, "");
+        Browser bad = new Browser(studio, "");
+        Browser longWinded = new Browser(studio, "")) {
       bad.await("\"hello\"");
       try {
         for (int i = 0; i < 500; i++) {
@@ -361,7 +353,7 @@ class StudioServerTest {
   @Test
   void halfRequestsAndSlowReadersLockNobodyOut() throws Exception {
     List<Socket> halves = new ArrayList<>();
-    try (Page page = new Page(studio, "");
+    try (Browser page = new Browser(studio, "");
         Socket slow = new Socket(InetAddress.getLoopbackAddress(), studio.port())) {
       // It never reads what it is sent.
       slow.getOutputStream().write(HANDSHAKE.getBytes(StandardCharsets.ISO_8859_1));
@@ -412,11 +404,11 @@ class StudioServerTest {
   void tokensGiveRoles() throws Exception {
     Tokens tokens = Tokens.single("0123456789abcdef", Role.OBSERVER, "visitor");
     try (StudioServer guarded = serve(new AccessPolicy(tokens, null));
-        Page without = new Page(guarded, "")) {
+        Browser without = new Browser(guarded, "")) {
       assertTrue(guarded.url().endsWith("/?token=TOKEN"), guarded.url());
       assertTrue(without.await("\"refused\"").contains("put ?token=TOKEN behind the address"));
       without.await("closed"::equals);
-      try (Page observer = new Page(guarded, "?token=0123456789abcdef")) {
+      try (Browser observer = new Browser(guarded, "?token=0123456789abcdef")) {
         assertTrue(observer.await("\"hello\"").contains("\"role\":\"observer\""));
         kernel.eval("guarded: detach(sleep(1h))|");
         String view = observer.await("\"name\":\"guarded\"");
@@ -432,12 +424,69 @@ class StudioServerTest {
         observer.send("{\"type\":\"open\",\"id\":3,\"name\":\"walk.u\"}");
         assertTrue(observer.await("\"id\":3,").contains("the role observer has no files"));
       }
-      try (Page wrong = new Page(guarded, "?token=fedcba9876543210")) {
+      try (Browser wrong = new Browser(guarded, "?token=fedcba9876543210")) {
         assertTrue(wrong.await("\"refused\"").contains("wrong token"));
       }
-      try (Page hasty = new Page(guarded, "?token=0123456789abcdef")) {
+      try (Browser hasty = new Browser(guarded, "?token=0123456789abcdef")) {
         assertTrue(hasty.await("\"refused\"").contains("after a wrong token, no other one for"));
       }
+    }
+  }
+
+  /** Tells a browser whether it may intervene, and repeats what it says. */
+  private static final class Echo extends SimpleChannelInboundHandler<TextWebSocketFrame> {
+    private final String refusal;
+
+    Echo(String refusal) {
+      this.refusal = refusal;
+    }
+
+    @Override
+    public void userEventTriggered(ChannelHandlerContext context, Object event) {
+      context.writeAndFlush(new TextWebSocketFrame("refusal: " + refusal));
+    }
+
+    @Override
+    protected void channelRead0(ChannelHandlerContext context, TextWebSocketFrame frame) {
+      context.writeAndFlush(frame.retain());
+    }
+  }
+
+  @Test
+  void pagesOfComponentsAreServedByRole() throws Exception {
+    Annexes annexes = Annexes.of(kernel);
+    Page files = new Page(StudioServer.class, 1000, 10, new WriteBufferWaterMark(1 << 16, 1 << 18));
+    try (Browser looks = new Browser(studio, "")) {
+      looks.await("{\"type\":\"worlds\",\"worlds\":[]}");
+      annexes.put("robot", new Annex("A robot", files, Echo::new));
+      looks.await("\"worlds\":[{\"name\":\"robot\",\"title\":\"A robot\"}]");
+      String page = get("/annex/robot/", HOST);
+      assertTrue(page.contains("frame-ancestors 'self'"), page);
+      assertTrue(get("/", HOST).contains("frame-ancestors 'none'"));
+      assertTrue(get("/annex/robot/studio.js", HOST).startsWith("HTTP/1.1 200"));
+      for (String path : List.of("/annex/nobody/", "/annex/robot/../x.js", "/annex/robot/x.js")) {
+        assertTrue(get(path, HOST).matches("(?s)HTTP/1.1 40[0-9].*"), path);
+      }
+      assertTrue(get("/annex/robot/stream", UPGRADE).startsWith("HTTP/1.1 403"));
+      comeByRole();
+      annexes.remove("robot");
+      looks.await("{\"type\":\"worlds\",\"worlds\":[]}");
+    }
+  }
+
+  private static void comeByRole() throws Exception {
+    Tokens tokens = Tokens.single("0123456789abcdef", Role.OBSERVER, "visitor");
+    try (StudioServer guarded = serve(new AccessPolicy(tokens, Role.OWNER));
+        StreamClient owner = new StreamClient(guarded, "/annex/robot/stream");
+        StreamClient observer =
+            new StreamClient(guarded, "/annex/robot/stream?token=0123456789abcdef");
+        StreamClient wrong = new StreamClient(guarded, "/annex/robot/stream?token=nonsense")) {
+      owner.await("refusal: "::equals);
+      owner.send("hello");
+      owner.await("hello"::equals);
+      observer.await("refusal: You are an observer, who sees and cannot change."::equals);
+      wrong.await("closed"::equals);
+      assertEquals(4003, wrong.status);
     }
   }
 }

@@ -49,6 +49,7 @@ public final class McapRecorder implements AutoCloseable {
 
   private final Path path;
   private final McapFile file;
+  private final Connection connection;
   private final Consumer<String> log;
   private final BlockingQueue<Event> events = new LinkedBlockingQueue<>();
   private final AtomicLong waiting = new AtomicLong();
@@ -78,9 +79,15 @@ public final class McapRecorder implements AutoCloseable {
     this.log = log;
     file = new McapFile(path, "Urbi " + Version.number());
     topics.put(LOG, Topic.LOG);
-    connect.apply(new Observer()).feed(new Feed(), true, watched);
+    connection = connect.apply(new Observer());
+    connection.feed(new Feed(), true, watched);
     writer.setDaemon(true);
     writer.start();
+  }
+
+  /** The file to which it records. */
+  public Path path() {
+    return path;
   }
 
   /** What the kernel knows of it: it never asks for anything, and keeps no kernel running. */
@@ -211,9 +218,10 @@ public final class McapRecorder implements AutoCloseable {
     return file.channel(topic.name(), topic.schemaName(), topic.schema());
   }
 
-  /** Writes what is left, and the summary; to be called when the kernel has ended. */
+  /** Writes what is left, and the summary; may wait for the disk. */
   @Override
   public void close() {
+    connection.close();
     events.add(new Event.End());
     try {
       writer.join();

@@ -1,0 +1,35 @@
+package org.urbi.server.studio;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.Trace;
+import org.urbi.server.studio.files.Folders;
+import org.urbi.server.trust.AccessPolicy;
+import org.urbi.web.Annexes;
+
+/** The studio of a kernel, on any free port of this machine. */
+final class Served {
+  private static final Trace SILENT =
+      new Trace(
+          Trace.Level.NONE,
+          new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
+
+  private Served() {}
+
+  static StudioServer of(Kernel kernel, AccessPolicy policy, Shown shown, Folders folders)
+      throws IOException {
+    return new StudioServer(
+        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+        client -> kernel.connect(client, false),
+        policy,
+        shown,
+        folders,
+        Annexes.of(kernel),
+        SILENT);
+  }
+}
