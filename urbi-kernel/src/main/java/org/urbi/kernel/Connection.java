@@ -154,6 +154,22 @@ public interface Connection {
   CompletableFuture<String> stop(int run);
 
   /**
+   * The client opens a file: that is told here before it is done, so that a recording has it. In a
+   * replay it is not done.
+   *
+   * @param begin does it; on the kernel thread, which must not wait for it. Not called when the
+   *     connection has closed
+   */
+  void open(String name, Runnable begin);
+
+  /**
+   * The client saves a file, as {@link #open}.
+   *
+   * @param version of which the text has been made; empty if it is to be a new file
+   */
+  void save(String name, String text, String version, Runnable begin);
+
+  /**
    * Reads the values of slots, for people.
    *
    * @param ways to them, as {@link Places} says; those beyond {@link Sample#MOST} are passed over

@@ -46,6 +46,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private final ConnectionView view;
   private final ConnectionFeed feed;
   private final ConnectionCode code;
+  private final ConnectionFiles files;
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -68,6 +69,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     this.view = new ConnectionView(kernel, number);
     this.feed = new ConnectionFeed(kernel, number);
     this.code = new ConnectionCode(kernel, number);
+    this.files = new ConnectionFiles(kernel, number);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -232,6 +234,16 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   }
 
   @Override
+  public void open(String name, Runnable begin) {
+    files.open(name, begin);
+  }
+
+  @Override
+  public void save(String name, String text, String version, Runnable begin) {
+    files.save(name, text, version, begin);
+  }
+
+  @Override
   public CompletableFuture<Sample> sample(List<String> ways) {
     return view.sample(ways);
   }
@@ -343,6 +355,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       feed.take(wish, lobby());
     } else if (message instanceof Message.OfCode wish) {
       code.take(wish, lobby());
+    } else if (message instanceof Message.OfFiles wish) {
+      files.take(wish);
     } else {
       throw new IllegalArgumentException(message.toString());
     }
@@ -537,6 +551,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     view.close();
     feed.close();
     code.close();
+    files.close();
   }
 
   private void leave() {

@@ -58,6 +58,8 @@ public final class EntryCodec {
     add(51, Message.Followed.class);
     add(52, Message.ValuesAsked.class);
     add(53, Message.ValueGiven.class);
+    add(54, Message.FileOpened.class);
+    add(55, Message.FileSaved.class);
     add(60, Message.Answer.class);
     add(61, Message.BytesArrived.class);
     add(62, Message.BytesEnded.class);

@@ -157,6 +157,24 @@ public sealed interface Message {
   /** Somebody ends a text that runs, and all that it has begun. */
   record CodeStopped(int to, int question, int run) implements OfCode {}
 
+  // ------------------------------------------------------------------ files
+
+  /** What somebody does with a file of source text. Who does it is known by the question. */
+  sealed interface OfFiles extends Message {
+    int question();
+  }
+
+  /** Somebody opens a file. */
+  record FileOpened(int to, int question, String name) implements OfFiles {}
+
+  /**
+   * Somebody saves a file.
+   *
+   * @param version of which the text has been made; empty if it is to be a new file
+   */
+  record FileSaved(int to, int question, String name, String text, String version)
+      implements OfFiles {}
+
   // ------------------------------------------------------------------ variables
 
   /** What somebody who looks at variables wants. */

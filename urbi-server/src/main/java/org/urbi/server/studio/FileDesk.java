@@ -3,14 +3,19 @@ package org.urbi.server.studio;
 import io.netty.channel.Channel;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.Connection;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.studio.files.FileRefused;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.files.SourceFiles;
 
-/** What a browser does with files, as far as its role has any. */
+/**
+ * What a browser does with files, as far as its role has any. What it opens and saves goes by way
+ * of the kernel, like all interventions.
+ */
 final class FileDesk {
   private final Channel channel;
+  private final Connection connection;
   private final Role role;
   private final Folders folders;
   private final Worker worker;
@@ -20,8 +25,9 @@ final class FileDesk {
    * @param worker does it for all browsers, so that none changes a file between what another one
    *     looks at and what it writes
    */
-  FileDesk(Channel channel, Role role, Folders folders, Worker worker) {
+  FileDesk(Channel channel, Connection connection, Role role, Folders folders, Worker worker) {
     this.channel = channel;
+    this.connection = connection;
     this.role = role;
     this.folders = folders;
     this.worker = worker;
@@ -33,9 +39,23 @@ final class FileDesk {
       send(Answer.done(request.id(), "one file after the other: wait for the answer"));
       return;
     }
-    busy = true;
+    try {
+      SourceFiles files = folders.of(role);
+      busy = true;
+      switch (request) {
+        case Request.Files list -> begin(files, list);
+        case Request.Open open -> connection.open(open.name(), () -> begin(files, open));
+        case Request.Save save ->
+            connection.save(save.name(), save.text(), save.version(), () -> begin(files, save));
+      }
+    } catch (FileRefused e) {
+      send(Answer.done(request.id(), reason(e)));
+    }
+  }
+
+  private void begin(SourceFiles files, Request.OfFiles request) {
     worker
-        .ask(() -> answer(folders.of(role), request))
+        .ask(() -> answer(files, request))
         .whenCompleteAsync(
             (answer, failure) -> {
               busy = false;

@@ -80,7 +80,7 @@ final class Viewer extends StreamHandler {
                         new TextWebSocketFrame(Answer.text("output", Utf8Text.toJava(bytes))))));
     sampler = new Sampler(channel, connection);
     desk = new CodeDesk(channel, connection, syntax);
-    files = new FileDesk(channel, role, folders, fileWorker);
+    files = new FileDesk(channel, connection, role, folders, fileWorker);
     List<String> keywords = Keywords.all().stream().sorted().toList();
     send(channel, Answer.hello(role.text(), Version.number(), keywords));
     notListening = annexes.listen(() -> send(channel, Answer.worlds(annexes.all())));

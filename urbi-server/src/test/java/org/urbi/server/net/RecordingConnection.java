@@ -123,6 +123,16 @@ final class RecordingConnection implements Connection {
   }
 
   @Override
+  public void open(String name, Runnable begin) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public void save(String name, String text, String version, Runnable begin) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
   public CompletableFuture<Sample> sample(List<String> ways) {
     throw new UnsupportedOperationException();
   }
