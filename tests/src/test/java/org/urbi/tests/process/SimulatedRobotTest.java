@@ -73,6 +73,7 @@ class SimulatedRobotTest {
       goesFromTheStudioToThePage(browser);
       imagesComeAndShowTheBall(browser);
       everythingMoves(browser);
+      Accessibility.check(browser);
       connectsAgain(browser, urbi);
       urbi.send("simulation.page.viewers;\n");
       urbi.awaitLine(said -> said.matches("\\[\\d+\\] 1"));
@@ -91,6 +92,7 @@ class SimulatedRobotTest {
         "the page in the room of the robot",
         "return " + frame + "?.contentDocument?.querySelector('#connection')?.dataset.state",
         "live"::equals);
+    Accessibility.check(browser);
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     browser.await("the room of the jobs", "return !!" + frame, "false"::equals);
     browser.open(browser.evaluate("return document.querySelector('#robot-alone').href"));

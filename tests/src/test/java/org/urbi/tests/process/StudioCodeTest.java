@@ -64,6 +64,7 @@ class StudioCodeTest {
       showsErrors(browser);
       stops(browser, page.urbi());
       hasConsole(browser);
+      Accessibility.check(browser);
       completes(browser);
       editsFiles(browser, folder.resolve("program.u"));
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);

@@ -40,6 +40,7 @@ class StudioReactionsTest {
       browser.await("how often it was", cell("at (x > 5)", 2), "1"::equals);
       browser.await("that it goes on", cell("every (50ms)", 2), t -> Integer.parseInt(t) > 20);
       emits(browser, page.urbi());
+      Accessibility.check(browser);
       filters(browser);
       goesToAnotherRoom(browser, page.urbi());
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);

@@ -43,6 +43,7 @@ class StudioTest {
       seesJobs(browser);
       seesLanes(browser);
       seesCalls(browser);
+      Accessibility.check(browser);
       steersJobs(browser, urbi);
       usesKeysAlone(browser);
       ForeignPage.attack(browser, urbi, page.address());

@@ -47,6 +47,7 @@ class StudioVariablesTest {
       slides(browser, page.urbi());
       plots(browser);
       seesAnImage(browser);
+      Accessibility.check(browser);
       vanishes(browser, page.urbi());
       assertEquals("true", browser.evaluate("return document.body.scrollWidth <= innerWidth"));
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
