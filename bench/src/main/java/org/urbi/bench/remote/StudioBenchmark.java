@@ -15,16 +15,39 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A server with 10,000 jobs and a loop with a period of 10 ms, in turns without and with a page of
- * the studio: processor time of the server, and how late the loop is.
+ * A server with 10,000 jobs, 1,000 reactions, 1,000 slots and a loop with a period of 10 ms, in
+ * turns without a page of the studio and with one in each of its rooms: processor time of the
+ * server, and how late the loop is.
  */
 public final class StudioBenchmark {
   private static final int ROUNDS = 3;
-  private static final int SECONDS = 20;
+  private static final int SECONDS = 10;
+
+  /** What a page sends that is in a room; of the code, one that is typing all the time. */
+  private enum Room {
+    NOBODY(""),
+    JOBS("{\"type\":\"interest\",\"selected\":0,\"traced\":[]}"),
+    REACTIONS("{\"type\":\"reactions\",\"filter\":\"\"}"),
+    VARIABLES("{\"type\":\"variables\",\"objects\":[\"Global\",\"Global\\n.o\"]}"),
+    PLOT("{\"type\":\"plot\",\"id\":1,\"ways\":[\"Global\\n.turn\",\"Global\\n.begin\"]}"),
+    CODE("{\"type\":\"complete\",\"id\":1,\"text\":\"System.\"}");
+
+    private final String request;
+
+    Room(String request) {
+      this.request = request;
+    }
+
+    String title() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
 
   private static final String PROGRAM =
       "var Global.late = []|; var Global.begin = System.time|; var Global.turn = 0|;"
           + "many: for& (10000) sleep(1h),"
+          + "var Global.never = 0|; for (1000) at (never == 1) 1;"
+          + "var Global.o = Object.new|; for (var i : 1000) o.setSlot(\"x\" + i, i);"
           + "probe: every| (10ms) { late << (System.time - begin - 0.01 * turn) | turn++ },";
 
   /** Starts to measure anew, when all jobs have been started. */
@@ -33,7 +56,7 @@ public final class StudioBenchmark {
           + "probe: every| (10ms) { late << (System.time - begin - 0.01 * turn) | turn++ },";
 
   private static final String ASK =
-      "var s = late.sort()| \"late \" + s[(s.size * 0.999).floor] + \" \" + s[s.size - 1];";
+      "{ var s = late.sort()| echo(\"late \" + s[(s.size * 0.999).floor] + \" \" + s[s.size - 1]) };";
 
   private final Process server;
   private final BufferedReader said;
@@ -73,27 +96,33 @@ public final class StudioBenchmark {
     }
   }
 
-  private void measure(boolean looks) throws Exception {
+  private void measure(Room room) throws Exception {
     Page page = new Page();
     WebSocket socket = null;
-    if (looks) {
+    if (room != Room.NOBODY) {
       URI stream = URI.create("ws://" + address + "stream");
       socket = HttpClient.newHttpClient().newWebSocketBuilder().buildAsync(stream, page).join();
+      socket.sendText(room.request, true).join();
     }
     // What is told first, and compiled first, is not what it costs to look.
     Thread.sleep(Duration.ofSeconds(5));
     input.println(AGAIN);
     Duration before = processorTime();
     long bytes = page.bytes;
-    Thread.sleep(Duration.ofSeconds(SECONDS));
+    for (int second = 0; second < SECONDS; second++) {
+      Thread.sleep(Duration.ofSeconds(1));
+      if (socket != null && room == Room.CODE) {
+        socket.sendText(room.request, true).join();
+      }
+    }
     Duration used = processorTime().minus(before);
     bytes = page.bytes - bytes;
     input.println(ASK);
-    String[] late = await("late ").replace("\"", "").split(" ");
+    String[] late = await("late ").split(" ");
     System.out.printf(
         Locale.ROOT,
         "%-10s %5.2f %% of a core, p99.9 %6.3f ms late, worst %6.3f ms, %6.1f kB/s%n",
-        looks ? "one page" : "nobody",
+        room.title(),
         used.toNanos() / 1e7 / SECONDS,
         1000 * Double.parseDouble(late[late.length - 2]),
         1000 * Double.parseDouble(late[late.length - 1]),
@@ -112,8 +141,9 @@ public final class StudioBenchmark {
     try {
       Thread.sleep(Duration.ofSeconds(10));
       for (int round = 0; round < ROUNDS; round++) {
-        bench.measure(false);
-        bench.measure(true);
+        for (Room room : Room.values()) {
+          bench.measure(room);
+        }
       }
     } finally {
       bench.server.destroy();

@@ -34,6 +34,9 @@ final class Viewer extends StreamHandler {
   /** Between two rounds over the jobs, in milliseconds. */
   private static final int PERIOD = 250;
 
+  /** So many jobs make that longer by a millisecond: to look must not cost more for them. */
+  private static final int JOBS_PER_MILLISECOND = 20;
+
   /** How many requests may come at once, and in each second. */
   private static final int MOST_REQUESTS = 40;
 
@@ -117,7 +120,8 @@ final class Viewer extends StreamHandler {
     }
     send(channel, Answer.view(view));
     if (view.complete()) {
-      channel.eventLoop().schedule(() -> look(channel), PERIOD, TimeUnit.MILLISECONDS);
+      int pause = PERIOD + view.total() / JOBS_PER_MILLISECOND;
+      channel.eventLoop().schedule(() -> look(channel), pause, TimeUnit.MILLISECONDS);
     } else {
       look(channel);
     }
