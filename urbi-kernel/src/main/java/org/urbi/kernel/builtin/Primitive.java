@@ -38,6 +38,11 @@ public final class Primitive extends Code {
     return table.signature(index);
   }
 
+  /** The type of the result, "void" when there is none; empty when it may be any. */
+  public String result() {
+    return table.result(index);
+  }
+
   /** What it does, in a sentence. */
   public String doc() {
     return table.doc(index);

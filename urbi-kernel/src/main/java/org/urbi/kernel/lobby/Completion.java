@@ -8,19 +8,28 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.node.Code;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.grammar.Keywords;
+import org.urbi.lang.input.TypedText;
 
 /**
  * Completes the text that somebody is typing: by names of slots and, at the beginning of an
- * expression, by keywords. No function is called to find them, so the result of a call has no
- * completions.
+ * expression, by local variables and keywords. No function is called to find them: a call has the
+ * completions of the type that the library declares for its result.
  */
 public final class Completion {
-  private Completion() {}
+  /** How many names are found at most, the first ones. */
+  public static final int MOST = 500;
+
+  private final String begun;
+  private final TreeSet<String> names = new TreeSet<>();
+
+  private Completion(String begun) {
+    this.begun = begun;
+  }
 
   /**
    * @param text what has been typed: {@code if (robot.body.he}
@@ -32,65 +41,66 @@ public final class Completion {
 
   /**
    * The possible last names, as of {@link #of}, with the values of the slots of that name; keywords
-   * have none.
+   * and local variables have none.
    */
   public static Map<String, Optional<UrbiObject>> found(UrbiObject lobby, String text) {
-    Map<String, Optional<UrbiObject>> found = new TreeMap<>();
-    String[] path = path(text).split("\\.", -1);
-    String begun = path[path.length - 1];
-    if (path.length > 1 || !begun.isEmpty()) {
-      UrbiObject owner = lobby;
-      for (int i = 0; i < path.length - 1 && owner != null; i++) {
-        owner = value(lobby, owner, path[i]);
-      }
-      if (path.length == 1) {
-        Keywords.all().stream()
-            .filter(name -> name.startsWith(begun))
-            .forEach(name -> found.put(name, Optional.empty()));
-      }
-      if (owner != null) {
-        addSlots(found, owner, begun);
-      }
+    TypedText typed = TypedText.of(text);
+    if (typed.isInText() || typed.begun().isEmpty() && !typed.isSlot()) {
+      return Map.of();
     }
-    return found;
+    Completion completion = new Completion(typed.begun());
+    String receiver = typed.isSlot() ? typed.receiver() : "this";
+    UrbiObject owner = receiver == null ? null : new ExpectedValue(lobby, typed).of(receiver);
+    Set<String> local = typed.isSlot() ? Set.of() : typed.locals();
+    if (!typed.isSlot()) {
+      local.forEach(completion::add);
+      Keywords.all().forEach(completion::add);
+    }
+    if (owner != null) {
+      completion.addSlots(owner);
+    }
+    return completion.withValues(owner, local);
   }
 
-  /** The names and dots at the end. */
-  private static String path(String text) {
-    int start = text.length();
-    while (start > 0
-        && (Character.isJavaIdentifierPart(text.charAt(start - 1))
-            || text.charAt(start - 1) == '.')) {
-      start--;
+  private void add(String name) {
+    if (name.startsWith(begun)
+        && (names.size() < MOST || name.compareTo(names.last()) < 0)
+        && name.chars().allMatch(Completion::isTyped)
+        && names.add(name)
+        && names.size() > MOST) {
+      names.removeLast();
     }
-    return text.substring(start);
   }
 
-  /** The object of that name; null if it cannot be found without calling a function. */
-  private static @Nullable UrbiObject value(UrbiObject lobby, UrbiObject owner, String name) {
-    if (owner == lobby && name.equals("this")) {
-      return lobby;
-    }
-    UrbiObject value = owner.lookup(owner.world().symbol(name));
-    return value instanceof Code ? null : value;
+  /** Operators are not written after a dot, and names with a dollar are not for people. */
+  private static boolean isTyped(int character) {
+    return character != '$' && Character.isJavaIdentifierPart(character);
   }
 
-  private static void addSlots(
-      Map<String, Optional<UrbiObject>> found, UrbiObject owner, String begun) {
+  private void addSlots(UrbiObject owner) {
     Set<UrbiObject> seen = new LinkedHashSet<>();
     List<UrbiObject> left = new ArrayList<>(List.of(owner));
     while (!left.isEmpty()) {
       UrbiObject object = left.removeLast();
       if (seen.add(object)) {
         for (Symbol slot : object.localSlotNames()) {
-          // Skip operators: they are not written after a dot.
-          if (slot.name().startsWith(begun)
-              && slot.name().chars().allMatch(Character::isJavaIdentifierPart)) {
-            found.put(slot.name(), Optional.ofNullable(owner.lookup(slot)));
-          }
+          add(slot.name());
         }
         Collections.addAll(left, object.protos());
       }
     }
+  }
+
+  private Map<String, Optional<UrbiObject>> withValues(
+      @Nullable UrbiObject owner, Set<String> local) {
+    Map<String, Optional<UrbiObject>> found = new TreeMap<>();
+    for (String name : names) {
+      found.put(
+          name,
+          owner == null || local.contains(name)
+              ? Optional.empty()
+              : Optional.ofNullable(owner.lookup(owner.world().symbol(name))));
+    }
+    return found;
   }
 }

@@ -11,9 +11,6 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** What somebody who types may want, with what the library declares of it. */
 public final class Proposals {
-  /** How many are told at most. */
-  public static final int MOST = 500;
-
   /** What the types of the library are, by their names. */
   private static final class Types {
     private static final Map<String, String> DOCS = docs();
@@ -32,14 +29,13 @@ public final class Proposals {
   private Proposals() {}
 
   /**
-   * The completions of a text, in alphabetical order; those beyond {@link #MOST} are left out. No
-   * urbiscript function is called to find them.
+   * The completions of a text, in alphabetical order; those beyond {@link Completion#MOST} are left
+   * out. No urbiscript function is called to find them.
    *
    * @param text what has been typed: {@code if (robot.body.he}
    */
   public static List<Proposal> of(UrbiObject lobby, String text) {
     return Completion.found(lobby, text).entrySet().stream()
-        .limit(MOST)
         .map(each ->
             each.getValue()
                 .map(value -> proposal(each.getKey(), value))

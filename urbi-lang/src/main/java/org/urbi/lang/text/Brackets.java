@@ -10,19 +10,17 @@ final class Brackets {
   /** The kinds of parentheses and brackets, by the separators that may be in them. */
   enum Kind {
     /** Values, which no {@code ;} separates. */
-    VALUES('(', 0),
+    VALUES(0),
 
     /** The three clauses of a {@code for}. */
-    CLAUSES('f', 2),
+    CLAUSES(2),
 
     /** A condition, which may be several statements. */
-    STATEMENTS('s', Integer.MAX_VALUE);
+    STATEMENTS(Integer.MAX_VALUE);
 
-    private final char mark;
     private final int separators;
 
-    Kind(char mark, int separators) {
-      this.mark = mark;
+    Kind(int separators) {
       this.separators = separators;
     }
   }
@@ -45,8 +43,13 @@ final class Brackets {
   }
 
   /** Opens a parenthesis or a bracket. */
-  void open(Kind kind) {
-    push(kind.mark, kind.separators);
+  void open(char mark, Kind kind) {
+    push(mark, kind.separators);
+  }
+
+  /** The innermost one that is open; empty when there is none. */
+  String innermost() {
+    return depth == 0 ? "" : String.valueOf((char) open[depth - 1]);
   }
 
   private void push(char mark, int allowed) {

@@ -68,6 +68,19 @@ public final class StatementSplitter {
     return !blank || state == State.BLOCK_COMMENT;
   }
 
+  /**
+   * What is open at the end of what was read: a quote, the beginning of a comment, or the innermost
+   * bracket; empty when nothing is.
+   */
+  public String open() {
+    return switch (state) {
+      case QUOTED, ESCAPE -> String.valueOf(quote);
+      case BLOCK_COMMENT -> "/*";
+      case LINE_COMMENT -> "//";
+      default -> brackets.innermost();
+    };
+  }
+
   /** The separator of the last statement; null when {@link #scan} reached the end of its text. */
   public @Nullable Flavor separator() {
     return separator;
@@ -185,8 +198,8 @@ public final class StatementSplitter {
         quote = c;
         state = State.QUOTED;
       }
-      case '(' -> brackets.open(parenthesis);
-      case '[' -> brackets.open(Brackets.Kind.VALUES);
+      case '(' -> brackets.open(c, parenthesis);
+      case '[' -> brackets.open(c, Brackets.Kind.VALUES);
       case '{' -> {
         brackets.open();
         inClassHead = false;

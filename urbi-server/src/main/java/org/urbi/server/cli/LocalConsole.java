@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.server.console.Console;
 import org.urbi.server.console.ConsoleOutput;
 import org.urbi.server.console.PipeInput;
@@ -54,7 +55,11 @@ final class LocalConsole implements AutoCloseable {
     this.lobbies = lobbies;
     this.end = end;
     boolean session = settings.input() == Settings.Input.SESSION;
-    terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
+    terminal =
+        session && Terminal.isBoth()
+            ? TerminalSession.open(
+                settings.errors() == ErrorStyle.COLOURED, settings.searchPath().directories())
+            : null;
     consoleOutput =
         terminal != null
             ? terminal.consoleOutput()

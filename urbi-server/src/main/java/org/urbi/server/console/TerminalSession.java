@@ -6,8 +6,11 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.jline.reader.Candidate;
@@ -23,40 +26,79 @@ import org.urbi.kernel.Connection;
 import org.urbi.server.source.SourceText;
 
 /**
- * A session at a terminal: lines are edited and remembered, output appears above the line that is
- * being typed.
+ * A session at a terminal: statements are edited, of one line or several, and remembered; output
+ * appears above what is being typed.
  */
 public final class TerminalSession implements AutoCloseable {
-  private static final String CONTINUED = "  ";
+  /** What a line begins with that continues a statement: what is open, and this. */
+  private static final String CONTINUED = "%M> ";
 
-  /** How long a completion waits for a busy kernel. */
+  /** How long a completion waits for a busy kernel, or a slow disk. */
   private static final int TIMEOUT_MS = 500;
+
+  /** What JLine shows in colours of its own. */
+  private static final List<String> STYLES =
+      List.of(
+          LineReader.COMPLETION_STYLE_BACKGROUND,
+          LineReader.COMPLETION_STYLE_DESCRIPTION,
+          LineReader.COMPLETION_STYLE_GROUP,
+          LineReader.COMPLETION_STYLE_STARTING,
+          LineReader.COMPLETION_STYLE_LIST_BACKGROUND,
+          LineReader.COMPLETION_STYLE_LIST_DESCRIPTION,
+          LineReader.COMPLETION_STYLE_LIST_GROUP,
+          LineReader.COMPLETION_STYLE_LIST_STARTING);
+
+  private static final String PLAIN_STYLE = "fg:default";
 
   private final Terminal terminal;
   private final LineReader reader;
+  private final FileNames files;
   private volatile @Nullable Connection connection;
+  private volatile boolean within;
   private volatile boolean closed;
 
-  public TerminalSession() {
+  /**
+   * Opens the terminal of this process.
+   *
+   * @param colours whether it shows any
+   * @param searchPath where scripts are looked for
+   */
+  public static TerminalSession open(boolean colours, List<Path> searchPath) {
     try {
-      terminal = TerminalBuilder.builder().system(true).graphemeCluster(false).build();
+      Terminal terminal = TerminalBuilder.builder().system(true).graphemeCluster(false).build();
+      return new TerminalSession(terminal, StatementHistory.userFile(), colours, searchPath);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    reader =
+  }
+
+  TerminalSession(Terminal terminal, Path history, boolean colours, List<Path> searchPath) {
+    this.terminal = terminal;
+    files = new FileNames(searchPath);
+    LineReaderBuilder builder =
         LineReaderBuilder.builder()
             .appName("urbi")
             .terminal(terminal)
-            .variable(LineReader.HISTORY_FILE, historyFile())
             .variable(LineReader.BLINK_MATCHING_PAREN, 0)
+            .variable(LineReader.SECONDARY_PROMPT_PATTERN, CONTINUED)
             // In urbiscript an exclamation mark is an operator, and a backslash stands for itself.
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
-            .parser(new SingleWordParser())
-            .completer((from, line, candidates) -> complete(line, candidates))
-            .build();
+            .parser(new StatementParser(() -> within))
+            .history(new StatementHistory(history, this::tell))
+            .completer((from, line, candidates) -> complete(line, candidates));
+    if (!colours) {
+      STYLES.forEach(style -> builder.variable(style, PLAIN_STYLE));
+    }
+    reader = builder.build();
   }
 
-  /** Shows output above the line that is being typed. */
+  /** Tells what the session itself has to say. */
+  private void tell(String text) {
+    terminal.writer().println("urbi: " + text);
+    terminal.flush();
+  }
+
+  /** Shows output above what is being typed. */
   public ConsoleOutput consoleOutput() {
     return new StandardOutput(
         new OutputStream() {
@@ -75,20 +117,20 @@ public final class TerminalSession implements AutoCloseable {
   }
 
   /**
-   * Reads lines up to {@code Ctrl-D} or the end of the lobby.
+   * Reads statements up to {@code Ctrl-D} or the end of the lobby.
    *
-   * @param interrupt what {@code Ctrl-C} does
+   * @param interrupt what {@code Ctrl-C} does, unless it is there to drop what was typed
    */
   public void run(Console console, Connection connection, Runnable interrupt) {
     this.connection = connection;
     terminal.handle(Terminal.Signal.INT, signal -> interrupt.run());
     while (console.isOpen()) {
       try {
-        String line = reader.readLine(connection.incomplete() ? CONTINUED : "");
-        connection.send(SourceText.bytes(line) + "\n");
+        within = connection.incomplete();
+        connection.send(SourceText.bytes(reader.readLine()) + "\n");
         console.awaitInputConsumed(connection);
       } catch (UserInterruptException e) {
-        interrupt.run();
+        interrupted(connection, e.getPartialLine(), interrupt);
       } catch (EndOfFileException e) {
         return;
       } catch (IllegalStateException | IOError e) {
@@ -100,22 +142,44 @@ public final class TerminalSession implements AutoCloseable {
     }
   }
 
-  /** Adds the completions of the name before the cursor; none when the kernel is too busy. */
+  /**
+   * Who drops what was typed ends also what runs in the foreground, but does not want to leave, as
+   * often as that is done.
+   */
+  private static void interrupted(Connection connection, String dropped, Runnable interrupt) {
+    if (dropped.isBlank()) {
+      interrupt.run();
+    } else {
+      connection.interrupt();
+    }
+  }
+
+  /** Adds what the word before the cursor may become. */
   private void complete(ParsedLine line, List<Candidate> candidates) {
     Connection asked = connection;
     if (asked == null) {
       return;
     }
+    String before = line.line().substring(0, line.cursor());
+    Future<? extends Collection<String>> names =
+        FileNames.typed(before) == null
+            ? asked.complete(SourceText.bytes(before))
+            : CompletableFuture.supplyAsync(() -> files.of(before), Thread::startVirtualThread);
+    for (String name : soon(names)) {
+      candidates.add(new Candidate(name, name, null, null, null, null, false));
+    }
+  }
+
+  /** What is found in time; nothing when the kernel is too busy, or the disk too slow. */
+  private static Collection<String> soon(Future<? extends Collection<String>> names) {
     try {
-      String typed = SourceText.bytes(line.line().substring(0, line.cursor()));
-      for (String name : asked.complete(typed).get(TIMEOUT_MS, TimeUnit.MILLISECONDS)) {
-        candidates.add(new Candidate(name, name, null, null, null, null, false));
-      }
+      return names.get(TIMEOUT_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException | TimeoutException e) {
       // No completions.
     }
+    return List.of();
   }
 
   /** Restores the terminal; a thread that still reads from it sees the end of the input. */
@@ -127,14 +191,5 @@ public final class TerminalSession implements AutoCloseable {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-  }
-
-  private static Path historyFile() {
-    String state = System.getenv("XDG_STATE_HOME");
-    if (state != null && !state.isEmpty()) {
-      return Path.of(state, "urbi", "history");
-    }
-    String home = System.getenv("HOME");
-    return Path.of(home == null ? System.getProperty("user.home") : home, ".urbi_history");
   }
 }
