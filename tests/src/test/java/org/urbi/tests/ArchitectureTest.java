@@ -459,6 +459,7 @@ class ArchitectureTest {
               ".external",
               ".library.value",
               ".library.lobby",
+              ".library.reference",
               ".library.text",
               ".library.collection",
               ".library.math",

@@ -32,6 +32,7 @@ import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.WorkingDirectory;
 import org.urbi.kernel.library.machine.Environment;
+import org.urbi.kernel.library.reference.Topics;
 import org.urbi.kernel.library.system.CommandLine;
 import org.urbi.kernel.library.system.SearchPath;
 import org.urbi.kernel.log.KernelLog;
@@ -162,6 +163,7 @@ public final class Kernel implements AutoCloseable {
         new SearchPath(builder.searchPath, library),
         life,
         stackFrames,
+        new Topics(builder.topics),
         new WorkingDirectory(outside, builder.confinement.workingDirectory()));
   }
 

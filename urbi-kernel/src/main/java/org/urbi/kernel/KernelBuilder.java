@@ -6,11 +6,13 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
@@ -62,6 +64,8 @@ public final class KernelBuilder {
       number -> {
         throw new NoSuchElementException("nobody has opened connection " + number);
       };
+
+  Supplier<Map<String, String>> topics = Map::of;
 
   /** The file in which the run is recorded. */
   private record Recording(String name, OutputStream file) {}
@@ -147,6 +151,17 @@ public final class KernelBuilder {
   public KernelBuilder commandLine(String program, List<String> scriptArguments) {
     programName = program;
     arguments = List.copyOf(scriptArguments);
+    return this;
+  }
+
+  /**
+   * What {@code help} knows besides the library and the language: texts by the names of their
+   * topics, such as {@code --port}.
+   *
+   * @param texts asked on the kernel thread, when somebody wants to know
+   */
+  public KernelBuilder topics(Supplier<Map<String, String>> texts) {
+    topics = texts;
     return this;
   }
 

@@ -12,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.lang.grammar.Keywords;
 import org.urbi.lang.grammar.TextStream;
 import org.urbi.lang.grammar.UrbiscriptLexer;
-import org.urbi.lang.text.LineTable;
 import org.urbi.lang.text.StatementSplitter;
 
 /**
@@ -32,12 +31,7 @@ public final class TypedText {
 
   private TypedText(String text) {
     this.text = text.substring(Math.max(0, text.length() - MOST));
-    var splitter = new StatementSplitter(new LineTable(null, 1));
-    int at = 0;
-    while (at < this.text.length()) {
-      at = splitter.scan(this.text, at, this.text.length(), 0);
-    }
-    open = splitter.open();
+    open = StatementSplitter.over(this.text).open();
     var lexer = new UrbiscriptLexer(new TextStream(this.text, 0, this.text.length()));
     Token token = lexer.nextToken();
     while (token.getType() != Token.EOF) {

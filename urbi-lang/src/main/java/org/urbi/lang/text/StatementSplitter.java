@@ -63,6 +63,16 @@ public final class StatementSplitter {
     restart();
   }
 
+  /** A splitter that has read a whole text. */
+  public static StatementSplitter over(CharSequence text) {
+    var splitter = new StatementSplitter(new LineTable(null, 1));
+    int at = 0;
+    while (at < text.length()) {
+      at = splitter.scan(text, at, text.length(), 0);
+    }
+    return splitter;
+  }
+
   /** Whether something is unfinished: a statement, or a comment that spans lines. */
   public boolean pending() {
     return !blank || state == State.BLOCK_COMMENT;

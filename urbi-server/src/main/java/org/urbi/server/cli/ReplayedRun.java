@@ -31,7 +31,11 @@ final class ReplayedRun {
   int run() {
     Kernel kernel;
     try {
-      kernel = Kernel.builder().replay(Path.of(file), number -> new ReplayClient()).start();
+      kernel =
+          Kernel.builder()
+              .topics(UrbiCommand::optionTexts)
+              .replay(Path.of(file), number -> new ReplayClient())
+              .start();
     } catch (RecordingException e) {
       throw Failure.of(file + " " + e.getMessage());
     } catch (UncheckedIOException e) {

@@ -80,7 +80,7 @@ final class Server {
     var served = new ServerServices(settings);
     services = served;
     Kernel started =
-        withFiles(recorded(Kernel.builder()))
+        withFiles(recorded(Kernel.builder().topics(UrbiCommand::optionTexts)))
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
             .library(SearchPath.library(SearchPath.root()))

@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.budget.Budget;
@@ -75,6 +76,15 @@ public final class UrbiCommand {
     if (args.length > 0 && args[0].equals(NEW)) {
       return NewComponent.run(Arrays.copyOfRange(args, 1, args.length), out, err);
     }
+    return program().run(args, out, err, this::start);
+  }
+
+  /** What each option is for, by each of its names. */
+  static Map<String, String> optionTexts() {
+    return new UrbiCommand(System.out, System.err).program().optionTexts();
+  }
+
+  private Program program() {
     Program program =
         new Program(
             "urbi", "Runs an Urbi server: a script, an interactive session, a network port.");
@@ -173,7 +183,7 @@ public final class UrbiCommand {
             "--isolate")
         .arguments("[FILE [ARGUMENT]...]", "A script, and what it sees as System.arguments.")
         .stopAtArgument();
-    return program.run(args, out, err, this::start);
+    return program;
   }
 
   private int start(Arguments arguments) {

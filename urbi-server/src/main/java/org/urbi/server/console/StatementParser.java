@@ -6,7 +6,6 @@ import org.jline.reader.CompletingParsedLine;
 import org.jline.reader.EOFError;
 import org.jline.reader.ParsedLine;
 import org.jline.reader.Parser;
-import org.urbi.lang.text.LineTable;
 import org.urbi.lang.text.StatementSplitter;
 import org.urbi.server.source.SourceText;
 
@@ -34,24 +33,13 @@ final class StatementParser implements Parser {
     boolean accepts =
         context == ParseContext.ACCEPT_LINE || context == ParseContext.SECONDARY_PROMPT;
     if (accepts && !within.getAsBoolean()) {
-      String bytes = SourceText.bytes(line);
-      StatementSplitter read = read(bytes);
+      StatementSplitter read = StatementSplitter.over(SourceText.bytes(line));
       if (read.pending()) {
         String open = read.open();
         throw new EOFError(-1, -1, "unfinished", open.equals("//") ? NOTHING : open);
       }
     }
     return new Typed(line, cursor);
-  }
-
-  /** What is open at the end of a text; a text of which each character is a byte. */
-  private static StatementSplitter read(String text) {
-    var splitter = new StatementSplitter(new LineTable(null, 1));
-    int at = 0;
-    while (at < text.length()) {
-      at = splitter.scan(text, at, text.length(), 0);
-    }
-    return splitter;
   }
 
   /** The line, and its word before the cursor. */

@@ -3,7 +3,9 @@ package org.urbi.server.options;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
@@ -77,6 +79,17 @@ public final class Program {
   public Program stopAtArgument() {
     stopAtArgument = true;
     return this;
+  }
+
+  /** What each option is for, by each of its names, as the help shows it. */
+  public Map<String, String> optionTexts() {
+    Map<String, String> texts = new TreeMap<>();
+    for (Option option : options) {
+      String label = option.label() == null ? "" : " " + option.label();
+      String text = String.join(", ", option.names()) + label + "\n" + option.description();
+      option.names().forEach(each -> texts.put(each, text));
+    }
+    return texts;
   }
 
   /**

@@ -269,7 +269,10 @@ public final class ExceptionTypes {
     StringDistance.ClosestName guess = new StringDistance.ClosestName(name);
     for (UrbiObject holder : local ? List.of(object) : ObjectType.allProtos(object)) {
       for (Symbol slot : holder.localSlotNames()) {
-        guess.consider(slot.name());
+        // Nobody means a name that is not for people, such as $id.
+        if (slot.name().indexOf('$') < 0) {
+          guess.consider(slot.name());
+        }
       }
     }
     return guess.meant();

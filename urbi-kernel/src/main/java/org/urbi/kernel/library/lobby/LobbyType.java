@@ -40,7 +40,7 @@ public final class LobbyType {
   }
 
   /** Where code sends something in the name of an object; its own lobby must have room for it. */
-  static Output output(Frame frame, UrbiObject self) {
+  public static Output output(Frame frame, UrbiObject self) {
     UrbiLobby own = of(frame);
     UrbiLobby to = self instanceof UrbiLobby lobby && lobby.isInstance() ? lobby : own;
     if (to == own && to.output().isFull()) {

@@ -41,6 +41,12 @@ final class Completeness {
     return missing;
   }
 
+  /** Whether a text has the name of its type as title, and names in the headings of its slots. */
+  static boolean isWellFormed(String type, String text) {
+    return text.startsWith("# " + type + "\n")
+        && text.lines().noneMatch(line -> line.startsWith("### ") && !line.contains("`"));
+  }
+
   private static String code(TypeText.Part part) {
     StringBuilder code = new StringBuilder();
     for (Example example : Example.in(part.markdown())) {

@@ -27,7 +27,13 @@ final class LibraryReference {
     Map<String, String> pages = new LinkedHashMap<>();
     Map<String, TypeDeclaration> types = types();
     types.keySet().forEach(name -> pages.put(name + ".md", TypePage.markdown(name, types)));
+    pages.put(HelpTexts.KEYWORDS + ".md", keywords());
     return pages;
+  }
+
+  /** The page about the words of the language; nobody declares these but the grammar. */
+  private static String keywords() {
+    return TypeText.resource(HelpTexts.KEYWORDS + ".md").orElseThrow();
   }
 
   /** The page with a line for each type, by topics. */

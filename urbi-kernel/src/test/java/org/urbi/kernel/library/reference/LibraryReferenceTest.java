@@ -22,6 +22,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.urbi.kernel.ConsoleTranscript;
+import org.urbi.lang.grammar.Keywords;
 
 /**
  * Keeps docs/library.md and docs/library what the declarations of the builtins and the texts beside
@@ -123,7 +124,10 @@ class LibraryReferenceTest {
   void everyTextIsAboutAType() throws IOException {
     Set<String> pages = LibraryReference.pages().keySet();
     for (Path text : texts()) {
-      assertTrue(pages.contains(text.getFileName().toString()), () -> "no type: " + text);
+      String file = text.getFileName().toString();
+      assertTrue(pages.contains(file), () -> "no type: " + text);
+      String type = file.substring(0, file.length() - ".md".length());
+      assertTrue(Completeness.isWellFormed(type, Files.readString(text)), text::toString);
     }
   }
 
@@ -138,6 +142,12 @@ class LibraryReferenceTest {
                   TypeText.of(name), type.names(), slots.getOrDefault(name, Set.of()));
           assertEquals(List.of(), missing, name);
         });
+  }
+
+  @Test
+  void everyKeywordIsExplainedWithAnExample() {
+    assertEquals(
+        List.of(), Completeness.missing(TypeText.of(HelpTexts.KEYWORDS), Keywords.all(), Set.of()));
   }
 
   /** The slots that each type has in a kernel, but for those that hold other types. */

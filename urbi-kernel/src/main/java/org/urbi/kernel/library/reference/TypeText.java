@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
 /**
  * What is written about a type, besides the sentences in its declarations: Markdown with its name
@@ -31,7 +30,7 @@ record TypeText(List<Part> parts) {
 
   /** The text about a type; empty when there is none yet. */
   static Optional<TypeText> of(String type) {
-    return resource(type + ".md").map(text -> parse(type, text));
+    return resource(type + ".md").map(TypeText::parse);
   }
 
   /** A resource of this package. */
@@ -45,11 +44,8 @@ record TypeText(List<Part> parts) {
     }
   }
 
-  static TypeText parse(String type, String text) {
+  static TypeText parse(String text) {
     List<String> lines = text.lines().toList();
-    if (lines.isEmpty() || !lines.getFirst().equals("# " + type)) {
-      throw new IllegalArgumentException("the text about " + type + " begins with # " + type);
-    }
     List<Part> parts = new ArrayList<>();
     List<String> names = List.of();
     StringBuilder markdown = new StringBuilder();
@@ -71,11 +67,6 @@ record TypeText(List<Part> parts) {
   }
 
   private static List<String> names(String heading) {
-    List<String> names =
-        NAME.matcher(heading).results().map(found -> found.group(1)).collect(Collectors.toList());
-    if (names.isEmpty()) {
-      throw new IllegalArgumentException("a heading without `name`: " + heading);
-    }
-    return names;
+    return NAME.matcher(heading).results().map(found -> found.group(1)).toList();
   }
 }
