@@ -105,6 +105,10 @@ final class ErrorAdvice {
     } else if (thrown.span() != null && thrown.span().text().startsWith("'")) {
       return Hint.SINGLE_QUOTES.text();
     } else if (asked instanceof UrbiLobby) {
+      Span declared = lobby.failures().localOf(name);
+      if (declared != null) {
+        return Hint.LOCAL_NAME.text(name, declared.location());
+      }
       return !name.isEmpty() && Character.isUpperCase(name.charAt(0))
           ? Hint.UNKNOWN_CLASS.text()
           : Hint.UNKNOWN_NAME.text(name, name);

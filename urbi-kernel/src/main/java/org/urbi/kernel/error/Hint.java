@@ -11,6 +11,7 @@ public enum Hint {
   SINGLE_QUOTES("single quotes stand around names, double quotes around strings"),
   UNDECLARED("a new variable is declared by var: var {name} = …"),
   UNKNOWN_CLASS("names are case-sensitive; loadModule(\"…\") loads what UObjects bring"),
+  LOCAL_NAME("`{name}' was declared at {place}, and is known in those braces or statements only"),
   UNKNOWN_NAME("nothing is called `{name}' here: var {name} = … declares it"),
   ASKED_OF_NIL("`{name}' was asked of nil: what should have a value has none"),
   ASKED_OF("`{name}' was asked of {a} {type}; allSlotNames lists what it has"),

@@ -11,8 +11,8 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.lang.source.Span;
 
 /**
- * What a lobby lacks because something has failed, so that people are told the cause of what goes
- * wrong for want of it, rather than what to do about each consequence.
+ * What a lobby lacks because something has failed, or was local, so that people are told the cause
+ * of what goes wrong for want of it, rather than what to do about each consequence.
  */
 public final class EarlierFailures {
   /** How many names are remembered. */
@@ -29,6 +29,7 @@ public final class EarlierFailures {
       Pattern.compile("(?:System\\.)?(?:load|loadFile|loadModule|require|requireFile)\\(.*");
 
   private final Map<String, Span> undeclared = new LinkedHashMap<>();
+  private final Map<String, Span> local = new LinkedHashMap<>();
   private @Nullable Span notLoaded;
 
   /** Remembers what an exception that nobody has caught prevents. */
@@ -49,6 +50,22 @@ public final class EarlierFailures {
     if (place.location().file() != null && LOADING.matcher(place.text()).matches()) {
       notLoaded = place;
     }
+  }
+
+  /** Remembers the names that are known only within a statement that is run. */
+  public void addLocal(Map<String, Span> names) {
+    names.forEach((name, place) -> {
+      local.remove(name);
+      if (local.size() == MOST) {
+        local.remove(local.keySet().iterator().next());
+      }
+      local.put(name, place);
+    });
+  }
+
+  /** Where a name was declared that is known only there, or null. */
+  public @Nullable Span localOf(String name) {
+    return local.get(name);
   }
 
   /**

@@ -22,6 +22,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.lang.advice.Advice;
+import org.urbi.lang.advice.LocalDeclarations;
 import org.urbi.lang.advice.Note;
 import org.urbi.lang.advice.SuspectCode;
 import org.urbi.lang.advice.SyntaxAdvice;
@@ -494,6 +495,7 @@ public final class Shell {
       for (Note note : SuspectCode.in(statement.tree(), statement.separator())) {
         Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
       }
+      lobby.failures().addLocal(LocalDeclarations.in(statement.tree()));
     }
   }
 

@@ -57,7 +57,7 @@ public final class SuspectCode {
   }
 
   /** Shows a tree and all that is in it, in the order of the text; it may be very deep. */
-  private static void walk(Ast tree, Consumer<Record> visitor) {
+  static void walk(Ast tree, Consumer<Record> visitor) {
     Deque<Object> left = new ArrayDeque<>();
     left.push(tree);
     while (!left.isEmpty()) {
