@@ -15,6 +15,7 @@ import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -341,6 +342,9 @@ public final class Scheduler {
     } catch (OutOfMemoryError e) {
       // There is no memory to say so, but who waits for the end of the job must still learn of it.
       memory.await();
+    } catch (LinkageError e) {
+      // Without descriptors no file is opened: the classes that tell cannot be loaded.
+      FailureLog.internal("what tells of failures", e);
     }
   }
 
