@@ -23,6 +23,9 @@ import org.urbi.lang.text.StringDistance;
 final class StringText {
   private static final List<String> SPACES = List.of(" ", "\t", "\n", "\r");
 
+  /** So many characters are looked through at once. */
+  private static final int PIECE = 1 << 16;
+
   private StringText() {}
 
   // ------------------------------------------------------------------ splitting
@@ -77,6 +80,7 @@ final class StringText {
     if (separators.contains("")) {
       return characters(text, limit);
     }
+    boolean isLetter = separators.size() == 1 && separators.getFirst().length() == 1;
     List<String> longestFirst =
         separators.stream().sorted(Comparator.comparingInt(String::length).reversed()).toList();
     List<String> parts = new ArrayList<>();
@@ -84,6 +88,11 @@ final class StringText {
     int at = 0;
     int left = limit;
     while (at < text.length() && left != 0) {
+      if (isLetter) {
+        int end = at + Math.min(text.length() - at, PIECE);
+        int next = text.indexOf(separators.getFirst().charAt(0), at, end);
+        at = next < 0 ? end - 1 : next;
+      }
       String found = separatorAt(text, at, longestFirst, checkpoint);
       if (found == null) {
         at++;
