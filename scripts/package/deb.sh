@@ -30,7 +30,7 @@ EOF
 
 say "making packages for Debian…"
 deb=$made/work/deb/urbi
-mkdir -p "$deb/usr/lib" "$deb/usr/bin" "$deb/usr/share/"{man,bash-completion/completions,zsh/vendor-completions,pkgconfig,cmake/Urbi}
+mkdir -p "$deb/usr/lib" "$deb/usr/bin" "$deb/usr/share/"{man,bash-completion/completions,zsh/vendor-completions,pkgconfig,cmake/Urbi,emacs}
 cp -a "$made/work/$name" "$deb/usr/lib/urbi"
 ln -s ../lib/urbi/urbi "$deb/usr/bin/urbi"
 for program in bin/*; do
@@ -40,7 +40,8 @@ mv "$deb/usr/lib/urbi/share/man/man1" "$deb/usr/share/man/man1"
 gzip -9n "$deb"/usr/share/man/man1/*
 mv "$deb"/usr/lib/urbi/share/bash-completion/completions/* "$deb/usr/share/bash-completion/completions/"
 mv "$deb"/usr/lib/urbi/share/zsh/site-functions/* "$deb/usr/share/zsh/vendor-completions/"
-rm -r "$deb"/usr/lib/urbi/share/{man,bash-completion,zsh}
+mv "$deb/usr/lib/urbi/share/emacs/site-lisp" "$deb/usr/share/emacs/"
+rm -r "$deb"/usr/lib/urbi/share/{man,bash-completion,zsh,emacs}
 sed 's|^prefix=.*|prefix=/usr/lib/urbi|' share/pkgconfig/urbi.pc >"$deb/usr/share/pkgconfig/urbi.pc"
 for file in share/cmake/Urbi/*; do
   ln -s "../../../lib/urbi/$file" "$deb/usr/share/cmake/Urbi/${file##*/}"

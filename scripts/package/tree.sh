@@ -30,6 +30,8 @@ make_tree() { # FOLDER OPENCV: OpenCV's libraries are a package of their own
   cp scripts/{launch.sh,flags.sh,umake-kept.sh} "$tree/scripts/"
   cp -R share/. "$tree/share/"
   cp -R include/. "$tree/include/"
+  mkdir -p "$tree/share/emacs/site-lisp"
+  cp editors/emacs/urbiscript-mode.el "$tree/share/emacs/site-lisp/"
   cp -R docs "$tree/"
   git ls-files -z examples | xargs -0 cp --parents -t "$tree/"
   make_manual "$tree"

@@ -27,6 +27,8 @@ class VersionTest {
     assertEquals(version, found("share/pkgconfig/urbi.pc", "(?m)^Version: (.+)$"));
     assertEquals(
         version, found("share/cmake/Urbi/UrbiConfigVersion.cmake", "PACKAGE_VERSION \"(.+?)\""));
+    assertEquals(version, found("editors/vscode/package.json", "\"version\": \"(.+?)\""));
+    assertEquals(version, found("editors/emacs/urbiscript-mode.el", "(?m)^;; Version: (.+)$"));
   }
 
   @Test
