@@ -142,6 +142,12 @@ out=$("$work/one$moved/$name/urbi" --version 2>&1) && exit 1
 case $out in *"install urbi again"*) ;; *) say "half an installation: $out"; exit 1 ;; esac
 rm -rf "$work/one$moved"
 
+say "the documentation, and its search"
+chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=20000 --dump-dom \
+  "file://$unpacked/share/doc/urbi/html/index.html?q=barrier+signal" >"$work/found.html" 2>"$work/chromium.log" ||
+  { cat "$work/chromium.log" >&2; exit 1; }
+grep -q '<a href="library/Barrier.html#signal-signalall">' "$work/found.html" || { say "the search does not find Barrier.signal"; exit 1; }
+
 say "the package for Debian"
 empty_root two
 # Debian always has it; links are followed by it.

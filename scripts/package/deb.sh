@@ -30,7 +30,7 @@ EOF
 
 say "making packages for Debian…"
 deb=$made/work/deb/urbi
-mkdir -p "$deb/usr/lib" "$deb/usr/bin" "$deb/usr/share/"{man,bash-completion/completions,zsh/vendor-completions,pkgconfig,cmake/Urbi,emacs}
+mkdir -p "$deb/usr/lib" "$deb/usr/bin" "$deb/usr/share/"{man,bash-completion/completions,zsh/vendor-completions,pkgconfig,cmake/Urbi,emacs,doc/urbi}
 cp -a "$made/work/$name" "$deb/usr/lib/urbi"
 ln -s ../lib/urbi/urbi "$deb/usr/bin/urbi"
 for program in bin/*; do
@@ -41,7 +41,8 @@ gzip -9n "$deb"/usr/share/man/man1/*
 mv "$deb"/usr/lib/urbi/share/bash-completion/completions/* "$deb/usr/share/bash-completion/completions/"
 mv "$deb"/usr/lib/urbi/share/zsh/site-functions/* "$deb/usr/share/zsh/vendor-completions/"
 mv "$deb/usr/lib/urbi/share/emacs/site-lisp" "$deb/usr/share/emacs/"
-rm -r "$deb"/usr/lib/urbi/share/{man,bash-completion,zsh,emacs}
+mv "$deb/usr/lib/urbi/share/doc/urbi/html" "$deb/usr/share/doc/urbi/"
+rm -r "$deb"/usr/lib/urbi/share/{man,bash-completion,zsh,emacs,doc}
 sed 's|^prefix=.*|prefix=/usr/lib/urbi|' share/pkgconfig/urbi.pc >"$deb/usr/share/pkgconfig/urbi.pc"
 for file in share/cmake/Urbi/*; do
   ln -s "../../../lib/urbi/$file" "$deb/usr/share/cmake/Urbi/${file##*/}"

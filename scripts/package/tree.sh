@@ -33,6 +33,8 @@ make_tree() { # FOLDER OPENCV: OpenCV's libraries are a package of their own
   mkdir -p "$tree/share/emacs/site-lisp"
   cp editors/emacs/urbiscript-mode.el "$tree/share/emacs/site-lisp/"
   cp -R docs "$tree/"
+  mkdir -p "$tree/share/doc/urbi"
+  cp -R "$site" "$tree/share/doc/urbi/html"
   git ls-files -z examples | xargs -0 cp --parents -t "$tree/"
   make_manual "$tree"
   chmod -R u+rwX,go+rX,go-w "$tree" "$opencv"

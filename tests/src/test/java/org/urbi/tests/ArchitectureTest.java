@@ -114,6 +114,10 @@ class ArchitectureTest {
 
   @ArchTest static final ArchRule pagesDependOnNothingElse = dependsOnlyOn("org.urbi.web");
 
+  @ArchTest
+  static final ArchRule theSiteDependsOnColours =
+      dependsOnlyOn("org.urbi.site", "org.urbi.lang.highlight");
+
   @ArchTest static final ArchRule rosDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.ros..", "urbi");
 
   @ArchTest
@@ -176,6 +180,9 @@ class ArchitectureTest {
 
   @ArchTest
   static final ArchRule antlrIsUsedInTheLanguageOnly = onlyIn("org.urbi.lang..", "org.antlr..");
+
+  @ArchTest
+  static final ArchRule commonmarkIsUsedInTheSiteOnly = onlyIn("org.urbi.site", "org.commonmark..");
 
   @ArchTest
   static final ArchRule nettyIsUsedInTheNetworkAndForPagesOnly =

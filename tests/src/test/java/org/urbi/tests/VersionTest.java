@@ -1,10 +1,12 @@
 package org.urbi.tests;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -39,6 +41,25 @@ class VersionTest {
                 "urbi version "
                     + Version.number()
                     + " (Urbi on the JVM), urbiscript of Urbi 2.7.5\n"));
+  }
+
+  private static Process notes(String... arguments) throws Exception {
+    ProcessBuilder script = new ProcessBuilder("../scripts/release-notes");
+    script.command().addAll(List.of(arguments));
+    return script.redirectErrorStream(true).start();
+  }
+
+  @Test
+  void theNotesOfAVersionArePrinted() throws Exception {
+    Process unreleased = notes();
+    String text = new String(unreleased.getInputStream().readAllBytes(), UTF_8);
+    assertTrue(text.startsWith("### ") && text.endsWith("\n") && !text.contains("\n## "), text);
+    assertEquals(0, unreleased.waitFor());
+    Process unknown = notes("0.0.1");
+    assertEquals(
+        "release-notes: CHANGELOG.md has no version 0.0.1\n",
+        new String(unknown.getInputStream().readAllBytes(), UTF_8));
+    assertEquals(1, unknown.waitFor());
   }
 
   @Test
