@@ -199,7 +199,7 @@ for library in urbi-lang urbi-builtins uobject-java urbi-kernel uobject-native-b
     { say "urbi-bom has no $library"; exit 1; }
   grep -q '<name>.*' "$base.pom" && grep -q '<description>' "$base.pom" || { say "$library says too little of itself"; exit 1; }
 done
-for wanted in '<url>' '<licenses>' '<developers>' '<scm '; do
+for wanted in "<project.home>${URBI_HOME_PAGE:-https://not-published.invalid/urbi}<" '<url>' '<licenses>' '<developers>' '<scm '; do
   grep -q "$wanted" "$repository/urbi/$version/urbi-$version.pom" || { say "the main pom has no $wanted"; exit 1; }
 done
 say "the extension for VS Code"

@@ -12,7 +12,8 @@ control() { # FOLDER PACKAGE DEPENDS COMPRESSION DESCRIPTION…: the control fil
 Package: $package
 Version: $version
 Architecture: $debian
-Maintainer: the Urbi on the JVM authors <maintainers@users.noreply.github.com>
+Maintainer: ${DEBFULLNAME:-the Urbi on the JVM authors} <${DEBEMAIL:-nobody@not-published.invalid}>
+Homepage: $home
 Section: devel
 Priority: optional
 Installed-Size: $size

@@ -7,7 +7,7 @@ publish() { # OPTION…: into the repository
   run_maven -q "$@" "-DaltDeploymentRepository=packages::file://$repository" >"$made/work/maven.log" 2>&1 ||
     { grep '^\[ERROR\]' "$made/work/maven.log" | head -n 20 >&2; return 1; }
 }
-publish -Ppublish -pl ".,$libraries" -Dmaven.test.skip=true deploy
+publish -Ppublish -pl "$libraries" -Dmaven.test.skip=true deploy
 
 artifact() { # FOLDER: the beginning of a pom, with what the main one says of the project
   mkdir -p "$1"
@@ -18,6 +18,10 @@ artifact() { # FOLDER: the beginning of a pom, with what the main one says of th
     <relativePath>$root/pom.xml</relativePath></parent>"
 }
 deploy_file=org.apache.maven.plugins:maven-deploy-plugin:3.1.4:deploy-file
+
+# The main pom says where the project lives, for all of them. Maven publishes it as it is written, whatever -D says.
+sed "s|<project.home>.*</project.home>|<project.home>$home</project.home>|" pom.xml >"$made/work/urbi.pom"
+publish "$deploy_file" -Dfile="$made/work/urbi.pom" -DpomFile="$made/work/urbi.pom" -Durl="file://$repository" -DrepositoryId=packages
 
 bom=$made/work/urbi-bom
 {
