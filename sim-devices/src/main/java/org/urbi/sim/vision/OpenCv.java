@@ -186,7 +186,8 @@ public final class OpenCv {
   private static List<Path> unpacked(String folder, Path target) throws IOException {
     URL url = OpenCv.class.getClassLoader().getResource(folder);
     if (url == null || !(url.openConnection() instanceof JarURLConnection connection)) {
-      throw new SimulationException("no OpenCV for this machine (" + folder + ")");
+      throw new SimulationException(
+          "no OpenCV for this machine: install urbi-opencv (looked for " + folder + ")");
     }
     connection.setUseCaches(false);
     try (JarFile jar = connection.getJarFile()) {

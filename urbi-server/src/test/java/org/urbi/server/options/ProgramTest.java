@@ -90,6 +90,17 @@ class ProgramTest {
     assertEquals("false 5 [script.u, -q, --bogus, 12]", seen);
   }
 
+  @Test
+  void descriptionsAreNoFormats() {
+    Program program = new Program("tool", "A 5%n tool.").option("N", "So 50%% (or %d).", "-n");
+    assertEquals(
+        0,
+        program.run(
+            new String[] {"--help"}, new PrintStream(out), new PrintStream(err), arguments -> 1));
+    String help = out.toString(StandardCharsets.UTF_8);
+    assertTrue(help.contains("A 5%n tool.") && help.contains("So 50%% (or %d)."), help);
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"--bogus", "-n", "--number=eleven", "--number=11", "-e"})
   void mistakesAreReportedInOneLineWithAHint(String mistake) {
