@@ -8,8 +8,11 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /** A program of somebody else's that speaks the same protocol. */
 public final class Peer implements AutoCloseable {
@@ -85,6 +88,14 @@ public final class Peer implements AutoCloseable {
 
   public void expect(String answer) throws IOException {
     assertEquals(answer, answers.readLine());
+  }
+
+  public void expectInAnyOrder(String... expected) throws IOException {
+    List<String> seen = new ArrayList<>();
+    for (int i = 0; i < expected.length; i++) {
+      seen.add(answers.readLine());
+    }
+    assertEquals(Stream.of(expected).sorted().toList(), seen.stream().sorted().toList());
   }
 
   /** Ends it without a word. */

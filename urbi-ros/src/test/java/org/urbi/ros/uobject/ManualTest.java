@@ -69,7 +69,7 @@ class ManualTest {
         Kernel.builder()
             .searchPath(List.of(Path.of("../share")))
             .moduleSearchPath(List.of(folder))
-            .output(output::add)
+            .output(text -> text.lines().forEach(output::add))
             .start();
     kernel.eval(
         """

@@ -62,9 +62,10 @@ class ParameterScriptsTest {
       peer.expect("limit 3 at most False (0.0, 10.0, 0.5)");
       urbi.run("at (Ros.onParam?(var name, var value)) echo(name + \" is \" + value.asString);");
       peer.say("set /robot speed 0.25 limit 11.0 limit \"fast\" none 1 serial \"x3\" limit 2.5");
-      peer.expect("changed speed 0.25");
-      peer.expect("changed limit 2.5");
-      peer.expect(
+      // What is sent at the same time arrives by two ways.
+      peer.expectInAnyOrder(
+          "changed speed 0.25",
+          "changed limit 2.5",
           "ok limit: a number from 0.0 to 10.0 expected, in steps of 0.5 limit: a value of the type"
               + " double expected, not string none is no parameter of /robot serial is read-only ok");
       urbi.says("speed is 0.25");
