@@ -20,11 +20,19 @@ final class HelpTexts {
 
   /** All of them, by the names of the types. */
   private static final class All {
+    private static final List<String> TYPES =
+        TypeText.resource("index.md")
+            .orElseThrow()
+            .lines()
+            .filter(line -> line.startsWith(ITEM))
+            .map(line -> line.substring(ITEM.length()))
+            .toList();
+
     private static final Map<String, TypeText> TEXTS = read();
 
     private static Map<String, TypeText> read() {
       Map<String, TypeText> texts = new TreeMap<>();
-      for (String type : types()) {
+      for (String type : TYPES) {
         TypeText.of(type).ifPresent(text -> texts.put(type, text));
       }
       TypeText.of(KEYWORDS).ifPresent(text -> texts.put(KEYWORDS, text));
@@ -36,12 +44,7 @@ final class HelpTexts {
 
   /** The names of all types. */
   static List<String> types() {
-    return TypeText.resource("index.md")
-        .orElseThrow()
-        .lines()
-        .filter(line -> line.startsWith(ITEM))
-        .map(line -> line.substring(ITEM.length()))
-        .toList();
+    return All.TYPES;
   }
 
   /** The text about a slot of a type itself, or null. */
