@@ -1,8 +1,5 @@
 package org.urbi.kernel.lobby;
 
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +7,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.object.Ancestors;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.grammar.Keywords;
@@ -78,15 +76,9 @@ public final class Completion {
   }
 
   private void addSlots(UrbiObject owner) {
-    Set<UrbiObject> seen = new LinkedHashSet<>();
-    List<UrbiObject> left = new ArrayList<>(List.of(owner));
-    while (!left.isEmpty()) {
-      UrbiObject object = left.removeLast();
-      if (seen.add(object)) {
-        for (Symbol slot : object.localSlotNames()) {
-          add(slot.name());
-        }
-        Collections.addAll(left, object.protos());
+    for (UrbiObject object : Ancestors.of(owner)) {
+      for (Symbol slot : object.localSlotNames()) {
+        add(slot.name());
       }
     }
   }

@@ -5,6 +5,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -13,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * Iterates over an object and all objects from which it inherits, each once, depth first and in the
  * order of the prototypes. It does not recurse, however many there are.
  */
-final class Ancestors {
+public final class Ancestors {
   /** After this many steps the check for interruption is called; a power of two. */
   private static final int STEPS_PER_QUESTION = 1 << 12;
 
@@ -35,6 +36,17 @@ final class Ancestors {
 
   Ancestors(UrbiObject from) {
     pending.push(from);
+  }
+
+  /** An object and all from which it inherits, in the order of lookup. */
+  public static Set<UrbiObject> of(UrbiObject object) {
+    Set<UrbiObject> all = new LinkedHashSet<>();
+    Ancestors ancestors = new Ancestors(object);
+    for (UrbiObject next = ancestors.next(); next != null; next = ancestors.next()) {
+      next.noteStructureRead();
+      all.add(next);
+    }
+    return all;
   }
 
   /** An object and its ancestors, to be remembered; null if they are many. */

@@ -3,7 +3,6 @@ package org.urbi.kernel.library.object;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.LinkedHashSet;
-import java.util.Set;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
@@ -12,6 +11,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.Ancestors;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
@@ -44,17 +44,7 @@ public final class ObjectType {
 
   @Builtin(doc = "The object, its prototypes, their prototypes and so on.")
   public static Collection<UrbiObject> allProtos(UrbiObject self) {
-    Set<UrbiObject> all = new LinkedHashSet<>();
-    collect(self, all);
-    return all;
-  }
-
-  private static void collect(UrbiObject object, Set<UrbiObject> all) {
-    if (all.add(object)) {
-      for (UrbiObject proto : object.protos()) {
-        collect(proto, all);
-      }
-    }
+    return Ancestors.of(self);
   }
 
   @Builtin(doc = "The object itself, whatever the one argument in the list is.")

@@ -13,6 +13,7 @@ import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.HelpText;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Function;
+import org.urbi.kernel.object.Ancestors;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -127,7 +128,7 @@ final class Help {
 
   /** A slot of an object that it has from a type of the library. */
   private boolean aboutSlotOf(UrbiObject object, String slot) {
-    for (UrbiObject ancestor : ancestors(object)) {
+    for (UrbiObject ancestor : Ancestors.of(object)) {
       String type = typeName(ancestor);
       if (type != null && aboutPart(type, slot)) {
         return true;
@@ -205,7 +206,7 @@ final class Help {
   private boolean aboutObject(UrbiObject object) {
     String type = null;
     Set<String> own = new LinkedHashSet<>();
-    for (UrbiObject ancestor : ancestors(object)) {
+    for (UrbiObject ancestor : Ancestors.of(object)) {
       type = typeName(ancestor);
       if (type != null) {
         break;
@@ -268,19 +269,6 @@ final class Help {
         .filter(type -> prototype(type) == object)
         .findFirst()
         .orElse(null);
-  }
-
-  /** An object and its prototypes, in the order of lookup. */
-  private static Set<UrbiObject> ancestors(UrbiObject object) {
-    Set<UrbiObject> all = new LinkedHashSet<>();
-    List<UrbiObject> left = new ArrayList<>(List.of(object));
-    while (!left.isEmpty()) {
-      UrbiObject next = left.removeLast();
-      if (all.add(next)) {
-        left.addAll(List.of(next.protos()).reversed());
-      }
-    }
-    return all;
   }
 
   // ------------------------------------------------------------------ lines
