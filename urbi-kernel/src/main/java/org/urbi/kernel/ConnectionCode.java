@@ -3,8 +3,6 @@ package org.urbi.kernel;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
@@ -16,11 +14,8 @@ import org.urbi.kernel.trust.Role;
 final class ConnectionCode {
   private final Kernel kernel;
   private final int number;
-  private final AtomicInteger runs = new AtomicInteger();
-  private final AtomicInteger stops = new AtomicInteger();
-  private final Map<Integer, CompletableFuture<CodeEnd>> awaited = new ConcurrentHashMap<>();
-  private final Map<Integer, CompletableFuture<String>> stopping = new ConcurrentHashMap<>();
-  private volatile boolean closed;
+  private final Questions<CompletableFuture<CodeEnd>> awaited;
+  private final Questions<CompletableFuture<String>> stopping;
 
   /** On the kernel thread. */
   private final Map<Integer, RunningCode> running = new HashMap<>();
@@ -31,39 +26,26 @@ final class ConnectionCode {
   ConnectionCode(Kernel kernel, int number) {
     this.kernel = kernel;
     this.number = number;
+    this.awaited = new Questions<>(kernel.inbox(), end -> end.cancel(false));
+    this.stopping = new Questions<>(kernel.inbox(), answer -> answer.cancel(false));
   }
 
   // ------------------------------------------------------------------ from any thread
 
   Connection.CodeRun run(String file, String code) {
     CompletableFuture<CodeEnd> end = new CompletableFuture<>();
-    int run = runs.incrementAndGet();
-    awaited.put(run, end);
-    kernel.inbox().post(new Message.CodeRun(number, run, file, code));
-    cancelIfClosed();
+    int run = awaited.ask(end, started -> new Message.CodeRun(number, started, file, code));
     return new Connection.CodeRun(run, name(run), end);
   }
 
   CompletableFuture<String> stop(int run) {
     CompletableFuture<String> answer = new CompletableFuture<>();
-    int question = stops.incrementAndGet();
-    stopping.put(question, answer);
-    kernel.inbox().post(new Message.CodeStopped(number, question, run));
-    cancelIfClosed();
+    stopping.ask(answer, question -> new Message.CodeStopped(number, question, run));
     return answer;
   }
 
   private static String name(int run) {
     return "run_" + run;
-  }
-
-  private void cancelIfClosed() {
-    if (closed) {
-      awaited.values().forEach(each -> each.cancel(false));
-      stopping.values().forEach(each -> each.cancel(false));
-      awaited.clear();
-      stopping.clear();
-    }
   }
 
   // ------------------------------------------------------------------ on the kernel thread
@@ -84,7 +66,7 @@ final class ConnectionCode {
     } else {
       code.stop();
     }
-    CompletableFuture<String> answer = stopping.remove(stopped.question());
+    CompletableFuture<String> answer = stopping.take(stopped.question());
     if (answer != null) {
       answer.complete(error);
     }
@@ -113,7 +95,7 @@ final class ConnectionCode {
     if (!end.goesOn()) {
       running.remove(run);
     }
-    CompletableFuture<CodeEnd> awaiting = awaited.remove(run);
+    CompletableFuture<CodeEnd> awaiting = awaited.take(run);
     if (awaiting != null) {
       awaiting.complete(end);
     }
@@ -121,8 +103,8 @@ final class ConnectionCode {
 
   /** The connection is closed. */
   void close() {
-    closed = true;
-    cancelIfClosed();
+    awaited.close();
+    stopping.close();
     running.clear();
   }
 }

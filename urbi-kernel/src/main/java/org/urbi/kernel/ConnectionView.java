@@ -3,11 +3,8 @@ package org.urbi.kernel;
 import static java.util.Objects.requireNonNull;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -38,10 +35,8 @@ final class ConnectionView {
 
   private final Kernel kernel;
   private final int number;
-  private final AtomicInteger questions = new AtomicInteger();
-  private final Map<Integer, Question<?>> looks = new ConcurrentHashMap<>();
-  private final Map<Integer, CompletableFuture<String>> interventions = new ConcurrentHashMap<>();
-  private volatile boolean closed;
+  private final Questions<Question<?>> looks;
+  private final Questions<CompletableFuture<String>> interventions;
   private @Nullable Watch watch;
 
   /**
@@ -50,6 +45,8 @@ final class ConnectionView {
   ConnectionView(Kernel kernel, int number) {
     this.kernel = kernel;
     this.number = number;
+    this.looks = new Questions<>(kernel.inbox(), asked -> asked.answer().cancel(false));
+    this.interventions = new Questions<>(kernel.inbox(), answer -> answer.cancel(false));
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -72,10 +69,7 @@ final class ConnectionView {
 
   private <T> CompletableFuture<T> ask(Supplier<T> look) {
     Question<T> asked = new Question<>(look, new CompletableFuture<>());
-    int question = questions.incrementAndGet();
-    looks.put(question, asked);
-    kernel.inbox().post(new Message.LookedAt(number, question));
-    cancelIfClosed();
+    looks.ask(asked, question -> new Message.LookedAt(number, question));
     return asked.answer();
   }
 
@@ -97,27 +91,15 @@ final class ConnectionView {
 
   private CompletableFuture<String> intervene(IntFunction<Message> message) {
     CompletableFuture<String> answer = new CompletableFuture<>();
-    int question = questions.incrementAndGet();
-    interventions.put(question, answer);
-    kernel.inbox().post(message.apply(question));
-    cancelIfClosed();
+    interventions.ask(answer, message);
     return answer;
-  }
-
-  private void cancelIfClosed() {
-    if (closed) {
-      looks.values().forEach(each -> each.answer().cancel(false));
-      interventions.values().forEach(each -> each.cancel(false));
-      looks.clear();
-      interventions.clear();
-    }
   }
 
   // ------------------------------------------------------------------ on the kernel thread
 
   /** In a replay nobody has asked, and nobody is told. */
   void take(Message.LookedAt message) {
-    Question<?> asked = looks.remove(message.question());
+    Question<?> asked = looks.take(message.question());
     if (asked != null) {
       asked.ask();
     }
@@ -155,7 +137,7 @@ final class ConnectionView {
   }
 
   private void answer(int question, String error) {
-    CompletableFuture<String> answer = interventions.remove(question);
+    CompletableFuture<String> answer = interventions.take(question);
     if (answer != null) {
       answer.complete(error);
     }
@@ -170,8 +152,8 @@ final class ConnectionView {
 
   /** The connection is closed. */
   void close() {
-    closed = true;
     endLook();
-    cancelIfClosed();
+    looks.close();
+    interventions.close();
   }
 }
