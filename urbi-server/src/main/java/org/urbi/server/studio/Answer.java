@@ -65,11 +65,22 @@ final class Answer {
 
   /** What became of a request: an error, or nothing when all went well. */
   static String done(long id, String error) {
+    return done(id, error, out -> {});
+  }
+
+  /** A request went well, and gave this. */
+  static String done(long id, Content result) {
+    return done(id, "", result);
+  }
+
+  /** What became of a request, and more. */
+  static String done(long id, String error, Content result) {
     return object(
         "done",
         out -> {
           out.writeNumberField("id", id);
           out.writeStringField("error", error);
+          result.write(out);
         });
   }
 

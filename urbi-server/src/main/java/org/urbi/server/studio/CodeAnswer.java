@@ -22,22 +22,14 @@ final class CodeAnswer {
 
   /** A text has ended. */
   static String ended(long id, CodeEnd end) {
-    return Answer.object(
-        "done",
-        out -> {
-          out.writeNumberField("id", id);
-          out.writeStringField("error", end.error());
-          out.writeBooleanField("goesOn", end.goesOn());
-        });
+    return Answer.done(id, end.error(), out -> out.writeBooleanField("goesOn", end.goesOn()));
   }
 
   /** What is wrong in a text, by the numbers of its characters. */
   static String mistakes(long id, List<SyntaxCheck.Mistake> mistakes) {
-    return Answer.object(
-        "done",
+    return Answer.done(
+        id,
         out -> {
-          out.writeNumberField("id", id);
-          out.writeStringField("error", "");
           out.writeArrayFieldStart("mistakes");
           for (SyntaxCheck.Mistake mistake : mistakes) {
             out.writeStartObject();
@@ -52,11 +44,9 @@ final class CodeAnswer {
 
   /** What somebody may be about to type. */
   static String proposals(long id, List<Proposal> proposals) {
-    return Answer.object(
-        "done",
+    return Answer.done(
+        id,
         out -> {
-          out.writeNumberField("id", id);
-          out.writeStringField("error", "");
           out.writeArrayFieldStart("proposals");
           for (Proposal proposal : proposals) {
             out.writeStartObject();

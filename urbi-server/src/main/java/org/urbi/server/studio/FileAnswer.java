@@ -9,22 +9,18 @@ final class FileAnswer {
 
   /** The names of files. */
   static String listed(long id, List<String> names) {
-    return Answer.object(
-        "done",
+    return Answer.done(
+        id,
         out -> {
-          out.writeNumberField("id", id);
-          out.writeStringField("error", "");
           Answer.writeTexts(out, "files", names);
         });
   }
 
   /** What is in a file. */
   static String opened(long id, SourceFiles.Content content) {
-    return Answer.object(
-        "done",
+    return Answer.done(
+        id,
         out -> {
-          out.writeNumberField("id", id);
-          out.writeStringField("error", "");
           out.writeStringField("text", content.text());
           out.writeStringField("version", content.version());
         });
@@ -32,11 +28,9 @@ final class FileAnswer {
 
   /** A file has been written, and is of that version now. */
   static String saved(long id, String version) {
-    return Answer.object(
-        "done",
+    return Answer.done(
+        id,
         out -> {
-          out.writeNumberField("id", id);
-          out.writeStringField("error", "");
           out.writeStringField("version", version);
         });
   }

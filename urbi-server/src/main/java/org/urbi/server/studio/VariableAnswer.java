@@ -92,18 +92,15 @@ final class VariableAnswer {
 
   /** An image or a sound, or that there is none. */
   static String shown(long id, Optional<Media> media) {
-    return Answer.object(
-        "done",
-        out -> {
-          out.writeNumberField("id", id);
-          if (media.isPresent()) {
-            out.writeStringField("error", "");
-            out.writeStringField("keywords", media.get().keywords());
-            out.writeBinaryField(
-                "bytes", media.get().bytes().getBytes(StandardCharsets.ISO_8859_1));
-          } else {
-            out.writeStringField("error", "no image or sound any more, or more than 4 MiB of it");
-          }
-        });
+    return media
+        .map(shown ->
+            Answer.done(
+                id,
+                out -> {
+                  out.writeStringField("keywords", shown.keywords());
+                  out.writeBinaryField(
+                      "bytes", shown.bytes().getBytes(StandardCharsets.ISO_8859_1));
+                }))
+        .orElseGet(() -> Answer.done(id, "no image or sound any more, or more than 4 MiB of it"));
   }
 }
