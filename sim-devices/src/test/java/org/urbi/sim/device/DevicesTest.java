@@ -1,6 +1,7 @@
 package org.urbi.sim.device;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -319,6 +320,25 @@ class DevicesTest {
     assertEquals(0, number("s.world.position(\"body\")[0]"), 1e-9);
     obey("pause 0");
     assertTrue(number("sleep(1s) | s.world.time") > halted + 0.5);
+  }
+
+  @Test
+  void simulationWithAPageIsKept() {
+    String name = ".__uobjectName";
+    String shown =
+        kernel.eval("Simulation.new(\"table.world\").showPage(0, nil)" + name, String.class);
+    String forgotten = kernel.eval("SimPage.new(s.world" + name + ", 0)" + name, String.class);
+    kernel.eval("SimPage.new(s.world" + name + ", 0)|");
+    for (int i = 0; i < 500 && isThere(forgotten); i++) {
+      System.gc();
+      kernel.eval("sleep(1ms)");
+    }
+    assertFalse(isThere(forgotten));
+    assertTrue(isThere(shown));
+  }
+
+  private boolean isThere(String name) {
+    return kernel.eval("uobjects.hasLocalSlot(\"" + name + "\")", boolean.class);
   }
 
   private void obey(String order) {
