@@ -4,6 +4,7 @@ import sys
 import time
 from dataclasses import dataclass
 
+import guard  # noqa: F401
 from cyclonedds.core import Policy, Qos
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.idl import IdlStruct

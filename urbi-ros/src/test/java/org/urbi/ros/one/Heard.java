@@ -2,6 +2,7 @@ package org.urbi.ros.one;
 
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.MessageType;
 import urbi.UDictionary;
@@ -29,6 +30,6 @@ final class Heard implements Subscription.Listener {
 
   /** The text of the next message. */
   String text() throws InterruptedException {
-    return messages.take().get("data").stringValue();
+    return Awaited.next(messages, failures).get("data").stringValue();
   }
 }

@@ -59,7 +59,7 @@ class OneNodeTest {
         OneSettings.of(environment, name, Map.of("before", "/after")), there -> {});
   }
 
-  private static RosProcess peer(int port) throws IOException {
+  private static RosProcess peer(int port) throws Exception {
     RosProcess started =
         RosProcess.start(
             port, logs, "/usr/bin/python3", Path.of("src/test/oracles/peer.py").toString());
@@ -68,7 +68,7 @@ class OneNodeTest {
   }
 
   @BeforeAll
-  static void startRos() throws IOException {
+  static void startRos() throws Exception {
     assumeTrue(RosProcess.isInstalled(), "there is no ROS 1 on this machine");
     port = freePort();
     master = RosProcess.master(port, logs);

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
@@ -31,7 +30,7 @@ class RestartTest {
     assumeTrue(RosProcess.isInstalled(), "there is no ROS 1 on this machine");
   }
 
-  private static RosProcess peer(int port) throws IOException {
+  private static RosProcess peer(int port) throws Exception {
     RosProcess started =
         RosProcess.start(
             port, logs, "/usr/bin/python3", Path.of("src/test/oracles/peer.py").toString());

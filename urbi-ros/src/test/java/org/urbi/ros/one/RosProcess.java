@@ -1,6 +1,5 @@
 package org.urbi.ros.one;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.urbi.ros.Lines;
 
 /** A program of ROS 1, as Debian has it, with an environment of its own. */
 public final class RosProcess implements AutoCloseable {
@@ -17,11 +17,11 @@ public final class RosProcess implements AutoCloseable {
       List.of("rosmaster", "roscore", "rosservice", "rostopic", "rosparam");
 
   private final Process process;
-  private final BufferedReader output;
+  private final Lines output;
 
   private RosProcess(Process process) {
     this.process = process;
-    this.output = process.inputReader(StandardCharsets.UTF_8);
+    this.output = new Lines(process.inputReader(StandardCharsets.UTF_8));
   }
 
   /** Whether there is a ROS 1 on this machine, with rospy. */
@@ -51,36 +51,24 @@ public final class RosProcess implements AutoCloseable {
     return new RosProcess(builder.start());
   }
 
-  /** Starts a master and waits for it. */
+  /** Starts a master. */
   static RosProcess master(int port, Path logs) throws IOException {
-    RosProcess master = start(port, logs, "rosmaster", "--core", "-p", String.valueOf(port));
-    Threads.start("test", master.output::readLine);
-    return master;
+    return start(port, logs, "rosmaster", "--core", "-p", String.valueOf(port));
   }
 
   /** The next line that it prints. */
-  String line() throws IOException {
-    return String.valueOf(output.readLine());
+  String line() throws InterruptedException {
+    return output.next();
   }
 
   /** Waits for a line that begins so. */
-  public void await(String beginning) throws IOException {
-    for (String line = output.readLine(); line != null; line = output.readLine()) {
-      if (line.startsWith(beginning)) {
-        return;
-      }
-    }
-    throw new IOException("ended before it said: " + beginning);
+  public void await(String beginning) throws InterruptedException {
+    output.await(beginning);
   }
 
   /** All that it prints until it ends. */
-  String all() throws IOException, InterruptedException {
-    String text;
-    try (Stream<String> lines = output.lines()) {
-      text = String.join("\n", lines.toList());
-    }
-    process.waitFor();
-    return text;
+  String all() throws InterruptedException {
+    return String.join("\n", output.rest());
   }
 
   /** Ends it at once. */

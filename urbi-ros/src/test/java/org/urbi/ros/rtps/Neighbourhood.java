@@ -1,8 +1,12 @@
 package org.urbi.ros.rtps;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.IOException;
 import java.net.BindException;
+import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -16,7 +20,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadLocalRandom;
+import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.Awaited;
 
 /**
  * Participants of one domain, which no other test uses at the time, and what is told about them.
@@ -46,15 +53,33 @@ public final class Neighbourhood implements AutoCloseable {
     int tried = ThreadLocalRandom.current().nextInt(DOMAINS);
     while (free == null) {
       tried = tried % DOMAINS + 1;
-      try {
-        free = new ServerSocket(7400 + 250 * tried, 1, InetAddress.getLoopbackAddress());
-      } catch (BindException e) {
-        // Another test, in another process perhaps, has it.
-        continue;
-      }
+      free = take(tried);
     }
     guard = free;
     domain = tried;
+  }
+
+  /**
+   * Keeps other tests out of a domain, unless one of them has it, or somebody else is in it: a
+   * program that a test has left behind, which would answer in place of the one that is meant.
+   */
+  private static @Nullable ServerSocket take(int domain) throws IOException {
+    int port = 7400 + 250 * domain;
+    ServerSocket taken;
+    try {
+      taken = new ServerSocket(port, 1, InetAddress.getLoopbackAddress());
+    } catch (BindException e) {
+      return null;
+    }
+    // All participants share the port of the domain; nobody has it for himself if there are any.
+    try (DatagramSocket all = new DatagramSocket(null)) {
+      all.setReuseAddress(false);
+      all.bind(new InetSocketAddress(port));
+      return taken;
+    } catch (BindException e) {
+      taken.close();
+      return null;
+    }
   }
 
   /** Its number. */
@@ -96,7 +121,7 @@ public final class Neighbourhood implements AutoCloseable {
 
   /** Waits until this has been told, after what was waited for before or together with it. */
   void awaitTold(String what) throws InterruptedException {
-    while (!seen.remove(what)) seen.add(told.take());
+    while (!seen.remove(what)) seen.add(Awaited.next(told, what + " not among " + seen));
   }
 
   @Override
@@ -140,6 +165,10 @@ public final class Neighbourhood implements AutoCloseable {
     final CountDownLatch unmatched = new CountDownLatch(1);
     final CountDownLatch room = new CountDownLatch(1);
     final BlockingQueue<String> hindered = new LinkedBlockingQueue<>();
+
+    void awaitMatched() throws InterruptedException {
+      assertTrue(matched.await(1, TimeUnit.MINUTES), "no reader");
+    }
 
     @Override
     public void matched(Writer writer, EndpointInfo reader) {
@@ -206,8 +235,18 @@ public final class Neighbourhood implements AutoCloseable {
       events.add("deadline");
     }
 
+    void awaitMatched() throws InterruptedException {
+      assertTrue(matched.await(1, TimeUnit.MINUTES), "no writer");
+    }
+
+    /** The next sample. */
+    Sample next() throws InterruptedException {
+      return Awaited.next(samples, events);
+    }
+
     void await(String event) throws InterruptedException {
-      while (!events.take().equals(event)) {}
+      List<String> seen = new ArrayList<>();
+      while (!seen.contains(event)) seen.add(Awaited.next(events, event + " not among " + seen));
     }
   }
 

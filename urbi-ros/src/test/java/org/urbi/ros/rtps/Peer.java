@@ -3,7 +3,6 @@ package org.urbi.ros.rtps;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
@@ -13,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.urbi.ros.Lines;
 
 /** A program of somebody else's that speaks the same protocol. */
 public final class Peer implements AutoCloseable {
@@ -22,7 +22,7 @@ public final class Peer implements AutoCloseable {
           + "</Interfaces></General></Domain></CycloneDDS>";
 
   private final Process process;
-  private final BufferedReader answers;
+  private final Lines answers;
   private final Writer commands;
 
   /** Starts one of them in that domain; whoever does not have them skips the test. */
@@ -72,7 +72,7 @@ public final class Peer implements AutoCloseable {
     builder.environment().put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
     builder.environment().put("CYCLONEDDS_URI", LOOPBACK);
     process = builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
-    answers = process.inputReader();
+    answers = new Lines(process.inputReader());
     commands = process.outputWriter();
   }
 
@@ -86,14 +86,14 @@ public final class Peer implements AutoCloseable {
     return MADE.resolve(environment).toString();
   }
 
-  public void expect(String answer) throws IOException {
-    assertEquals(answer, answers.readLine());
+  public void expect(String answer) throws InterruptedException {
+    assertEquals(answer, answers.next());
   }
 
-  public void expectInAnyOrder(String... expected) throws IOException {
+  public void expectInAnyOrder(String... expected) throws InterruptedException {
     List<String> seen = new ArrayList<>();
     for (int i = 0; i < expected.length; i++) {
-      seen.add(answers.readLine());
+      seen.add(answers.next());
     }
     assertEquals(Stream.of(expected).sorted().toList(), seen.stream().sorted().toList());
   }

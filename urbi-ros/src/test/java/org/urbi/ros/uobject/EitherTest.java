@@ -20,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.one.RosProcess;
@@ -42,6 +43,7 @@ class EitherTest {
           "[\"data\" => \"hello\"]",
           "[\"data\" => \"kept\"]",
           "/peer listens",
+          "1",
           "[\"data\" => \"to and fro\"]",
           "nothing else for a while",
           "by a variable",
@@ -85,7 +87,7 @@ class EitherTest {
   private List<String> echoed() throws InterruptedException {
     List<String> lines = new ArrayList<>();
     while (lines.isEmpty() || !lines.getLast().equals("done")) {
-      String text = output.take();
+      String text = Awaited.next(output, lines);
       if (text.contains("!!!")) {
         throw new AssertionError(lines + " " + text);
       }

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.rtps.Neighbourhood;
 
 /** A kernel with the module, and what it says. */
@@ -53,9 +55,9 @@ final class Scripts implements AutoCloseable {
 
   /** Waits until a line with that text is said. */
   void says(String text) throws InterruptedException {
-    String line = output.take();
-    while (!line.contains(text)) {
-      line = output.take();
+    List<String> seen = new ArrayList<>(List.of(""));
+    while (!seen.getLast().contains(text)) {
+      seen.add(Awaited.next(output, seen));
     }
   }
 

@@ -1,0 +1,43 @@
+package org.urbi.ros;
+
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/** What tests wait for: so long that no busy machine is blamed, but not for ever. */
+public final class Awaited {
+  private static final int SECONDS = 60;
+
+  private Awaited() {}
+
+  /** The next one of a queue; if none comes, {@code seen} is told. */
+  public static <T> T next(BlockingQueue<T> queue, Object seen) throws InterruptedException {
+    T next = queue.poll(SECONDS, TimeUnit.SECONDS);
+    if (next == null) {
+      throw new AssertionError("nothing within " + SECONDS + " s; seen so far: " + seen);
+    }
+    return next;
+  }
+
+  /** What is promised. */
+  public static <T> T value(CompletableFuture<T> promise) throws Exception {
+    try {
+      return promise.get(SECONDS, TimeUnit.SECONDS);
+    } catch (TimeoutException e) {
+      throw new AssertionError("not kept within " + SECONDS + " s: " + promise, e);
+    }
+  }
+
+  /** Waits until that holds: of programs that tell nobody when it does. */
+  public static void until(String what, Callable<Boolean> holds) throws Exception {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS);
+    while (!holds.call()) {
+      if (System.nanoTime() - end > 0) {
+        throw new AssertionError("not within " + SECONDS + " s: " + what);
+      }
+      Thread.sleep(10);
+    }
+  }
+}

@@ -1,0 +1,62 @@
+package org.urbi.ros;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+
+/** The lines that a program prints, each of which is waited for in a limited time. */
+public final class Lines {
+  /** In its place comes the end. */
+  private static final String END = "(it has ended)";
+
+  private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
+  private final List<String> seen = new ArrayList<>();
+
+  /** Those of that output. It is read at once, so that the program never waits. */
+  public Lines(BufferedReader output) {
+    // A virtual thread that waits for a pipe keeps others from running, on a small machine all.
+    Thread.ofPlatform().daemon().start(() -> read(output));
+  }
+
+  private void read(BufferedReader output) {
+    try (output) {
+      for (String line = output.readLine(); line != null; line = output.readLine()) {
+        lines.add(line);
+      }
+    } catch (IOException e) {
+      lines.add(String.valueOf(e.getMessage()));
+    } finally {
+      lines.add(END);
+    }
+  }
+
+  /** The next one. */
+  public String next() throws InterruptedException {
+    String line = Awaited.next(lines, seen);
+    if (line.equals(END)) {
+      lines.add(END);
+      throw new AssertionError("the program has ended; it said: " + seen);
+    }
+    seen.add(line);
+    return line;
+  }
+
+  /** Waits for a line that begins so. */
+  public void await(String beginning) throws InterruptedException {
+    while (!next().startsWith(beginning)) {}
+  }
+
+  /** All that are left, when the program has ended. */
+  public List<String> rest() throws InterruptedException {
+    List<String> rest = new ArrayList<>();
+    for (String line = Awaited.next(lines, rest); !line.equals(END); ) {
+      rest.add(line);
+      line = Awaited.next(lines, rest);
+    }
+    lines.add(END);
+    return rest;
+  }
+}
