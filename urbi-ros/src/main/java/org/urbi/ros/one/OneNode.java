@@ -33,6 +33,9 @@ import org.urbi.ros.time.WallClock;
 
 /** A node of ROS 1. The master may come later, go, and come back. */
 public final class OneNode implements Node {
+  /** How often a master that tells of publishers all the time is asked for them at once. */
+  private static final int ASKED_AT_MOST = 10;
+
   private final OneSettings settings;
   private final XmlRpcClient client = new XmlRpcClient(Threads.POOL);
   private final Api master;
@@ -47,6 +50,10 @@ public final class OneNode implements Node {
   private final Set<OneServiceClient> clients = ConcurrentHashMap.newKeySet();
   private final List<Consumer<GraphSnapshot>> watchers = new CopyOnWriteArrayList<>();
   private final Consumer<Boolean> presence;
+
+  /** How often a master has told who publishes; the list of subscriptions guards it. */
+  private int updates;
+
   private @Nullable RosOut out;
   private volatile boolean closed;
   private @Nullable Boolean present;
@@ -138,11 +145,36 @@ public final class OneNode implements Node {
   }
 
   void updatePublishers(String topic, List<URI> publishers) {
-    for (OneSubscription each : subscriptions) {
-      if (each.topic().equals(topic)) {
-        each.update(publishers);
+    synchronized (subscriptions) {
+      updates++;
+      for (OneSubscription each : subscriptions) {
+        if (each.topic().equals(topic)) {
+          each.update(publishers);
+        }
       }
     }
+  }
+
+  private int updates() {
+    synchronized (subscriptions) {
+      return updates;
+    }
+  }
+
+  /** Has the master tell who publishes on a topic, from now on. */
+  private CompletableFuture<?> askForPublishers(Api told, String topic, String type, int tries) {
+    int before = updates();
+    return told.call(OneNode::addresses, "registerSubscriber", topic, type, uri())
+        .thenCompose(publishers -> {
+          synchronized (subscriptions) {
+            if (updates == before || tries <= 1) {
+              updatePublishers(topic, publishers);
+              return CompletableFuture.completedFuture(null);
+            }
+          }
+          // What it has told meanwhile may be newer than this answer, or older: it is asked again.
+          return askForPublishers(told, topic, type, tries - 1);
+        });
   }
 
   void updateParameter(String name, Object value) {
@@ -317,9 +349,7 @@ public final class OneNode implements Node {
         new Registration("subscriber " + full) {
           @Override
           CompletableFuture<?> register(Api told) {
-            return told.call(
-                    OneNode::addresses, "registerSubscriber", full, subscription.typeName(), uri())
-                .thenAccept(publishers -> updatePublishers(full, publishers));
+            return askForPublishers(told, full, subscription.typeName(), ASKED_AT_MOST);
           }
 
           @Override

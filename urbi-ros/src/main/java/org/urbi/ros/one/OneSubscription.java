@@ -58,6 +58,11 @@ final class OneSubscription implements Subscription {
     return (int) links.values().stream().filter(link -> link.connected).count();
   }
 
+  /** How many publishers it knows of, connected or not. */
+  int known() {
+    return links.size();
+  }
+
   /** These are the publishers now. */
   synchronized void update(List<URI> publishers) {
     if (closed) {

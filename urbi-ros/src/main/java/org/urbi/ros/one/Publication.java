@@ -201,7 +201,6 @@ final class Publication {
                   + "]. Dropping connection."));
       return;
     }
-    connection.sendHeader(header());
     Listener listener = new Listener(caller, connection);
     synchronized (this) {
       if (latched != null) {
@@ -209,13 +208,15 @@ final class Publication {
       }
       listeners.add(listener);
     }
-    if (handles.isEmpty()) {
-      // Unadvertised in the meantime.
-      listener.close();
-    }
-    handles.forEach(each -> each.told.connected(caller));
-    Threads.start("publisher", listener::write);
     try {
+      // Whoever reads the answer misses nothing of what is published from then on.
+      connection.sendHeader(header());
+      if (handles.isEmpty()) {
+        // Unadvertised in the meantime.
+        listener.close();
+      }
+      handles.forEach(each -> each.told.connected(caller));
+      Threads.start("publisher", listener::write);
       // A subscriber says nothing more: when there is something to read, it has gone.
       connection.readByte();
     } catch (EOFException e) {

@@ -14,9 +14,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.Subscription;
@@ -124,6 +127,55 @@ class HostilePeersTest {
         assertTrue(heard.messages.isEmpty());
       }
       subscription.close();
+    }
+  }
+
+  /** A subscriber that has read the answer is one of those who hear what is said next. */
+  @Test
+  void nothingIsMissedOnceAConnectionIsMade() throws Exception {
+    Publisher publisher = node.advertise("/said", text, Qos.DEFAULT, new Publisher.Listener() {});
+    for (int i = 0; i < 100; i++) {
+      try (TcpRosConnection subscriber = TcpRosConnection.to(here.getHostAddress(), node.port())) {
+        subscriber.sendHeader(header());
+        subscriber.readHeader();
+        publisher.publish(new UDictionary().with("data", "" + i % 10));
+        byte[] message = Awaited.value(read(subscriber));
+        assertEquals('0' + i % 10, message[4]);
+      }
+    }
+  }
+
+  private static CompletableFuture<byte[]> read(TcpRosConnection connection) {
+    CompletableFuture<byte[]> message = new CompletableFuture<>();
+    Threads.start("test", () -> message.complete(connection.read()));
+    return message;
+  }
+
+  /** A master whose answer to a new subscriber comes after the news that made it out of date. */
+  @Test
+  void anAnswerOfTheMasterThatNewsOvertook() throws Exception {
+    node.close();
+    AtomicInteger asked = new AtomicInteger();
+    List<String> publishers = List.of("http://127.0.0.1:9/");
+    try (XmlRpcServer master =
+        new XmlRpcServer(
+            here,
+            (method, arguments) -> {
+              if (!method.equals("registerSubscriber") || !arguments.get(1).equals("/said")) {
+                return List.of(1, "", 0);
+              }
+              boolean isFirst = asked.incrementAndGet() == 1;
+              if (isFirst) {
+                node.updatePublishers("/said", publishers.stream().map(URI::create).toList());
+              }
+              return List.of(1, "", isFirst ? List.of() : publishers);
+            })) {
+      node = OneNodeTest.node(master.port(), "tested");
+      OneSubscription said =
+          (OneSubscription) node.subscribe("/said", text, Qos.DEFAULT, new Heard());
+      Awaited.value(node.settled());
+      assertEquals(2, asked.get());
+      assertEquals(1, said.known());
     }
   }
 
