@@ -19,9 +19,9 @@ import urbi.UValue;
 
 /**
  * Urbi's half of {@code bench/ros}, with the same arguments as {@code native/ros_peer.cc} and
- * {@code native/ros_peer.py}: {@code publish TYPE SIZE SECONDS}, {@code subscribe TYPE SECONDS},
- * {@code serve}, {@code call COUNT}. For {@code bench/ros2}, where {@code ROS_VERSION} is 2, also
- * what {@link TopicBench} has.
+ * {@code native/ros_peer.py}: {@code publish TYPE SIZE SECONDS}, {@code subscribe TYPE SECONDS
+ * [WARM]}, {@code serve}, {@code call COUNT}. For {@code bench/ros2}, where {@code ROS_VERSION} is
+ * 2, also what {@link TopicBench} has.
  */
 public final class RosPeer {
   private static final String TOPIC = "/bench";
@@ -40,7 +40,11 @@ public final class RosPeer {
         case "publish" ->
             peer.publish(
                 arguments[1], Integer.parseInt(arguments[2]), Double.parseDouble(arguments[3]));
-        case "subscribe" -> peer.subscribe(arguments[1], Double.parseDouble(arguments[2]));
+        case "subscribe" ->
+            peer.subscribe(
+                arguments[1],
+                Double.parseDouble(arguments[2]),
+                arguments.length > 3 ? Double.parseDouble(arguments[3]) : 1);
         case "serve" -> peer.serve();
         case "call" -> peer.call(Integer.parseInt(arguments[1]));
         default -> TopicBench.run(node, arguments);
@@ -88,7 +92,7 @@ public final class RosPeer {
     }
   }
 
-  private void subscribe(String name, double seconds) throws InterruptedException {
+  private void subscribe(String name, double seconds, double warm) throws InterruptedException {
     AtomicInteger count = new AtomicInteger();
     CountDownLatch begun = new CountDownLatch(1);
     node.subscribe(
@@ -102,7 +106,7 @@ public final class RosPeer {
     say("ready");
     begun.await();
     // What it does first is not what it does all the time.
-    Thread.sleep(1000);
+    Thread.sleep((long) (warm * 1000));
     int before = count.get();
     long from = System.nanoTime();
     Thread.sleep((long) (seconds * 1000));

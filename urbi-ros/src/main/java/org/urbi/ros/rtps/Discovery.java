@@ -109,8 +109,7 @@ final class Discovery {
       addresses.add(transport.neighbour(i));
     participants.values().forEach(each -> addresses.add(each.discovery));
     addresses.removeAll(own.discovery());
-    description();
-    environment.send(addresses.toArray(InetSocketAddress[]::new));
+    describe(addresses.toArray(InetSocketAddress[]::new));
     announcements.in(announced++ < AT_FIRST ? FIRST_PERIOD : period);
   }
 
@@ -119,11 +118,14 @@ final class Discovery {
     return environment.options.participants() == 0;
   }
 
-  private void description() {
-    Change change = new Change(1, 0, 0, DiscoveryCodec.encode(own), InlineQos.NONE);
+  private void describe(InetSocketAddress... addresses) {
+    send(new Change(1, 0, 0, DiscoveryCodec.encode(own), InlineQos.NONE), addresses);
+  }
+
+  private void send(Change change, InetSocketAddress... addresses) {
     environment
-        .message
-        .begin()
+        .outbox
+        .to(addresses, GuidPrefix.UNKNOWN, change.size() + MessageBuilder.OVERHEAD)
         .data(EntityId.PARTICIPANT_READER, EntityId.PARTICIPANT_WRITER, change);
   }
 
@@ -140,13 +142,9 @@ final class Discovery {
     Guid guid = new Guid(own.prefix(), EntityId.PARTICIPANT);
     InlineQos gone = new InlineQos(true, guid, null);
     Change change = new Change(2, 0, 0, DiscoveryCodec.encodeKey(guid), gone);
-    environment
-        .message
-        .begin()
-        .data(EntityId.PARTICIPANT_READER, EntityId.PARTICIPANT_WRITER, change);
     Set<InetSocketAddress> addresses = new LinkedHashSet<>(Set.of(transport.multicastAddress()));
     participants.values().forEach(each -> addresses.add(each.discovery));
-    environment.send(addresses.toArray(InetSocketAddress[]::new));
+    send(change, addresses.toArray(InetSocketAddress[]::new));
   }
 
   /** Tells everybody of a writer or reader of this participant. */
@@ -229,8 +227,7 @@ final class Discovery {
     participants.put(info.prefix(), participant);
     leases.atLatestIn(participant.left(SteadyClock.nanoseconds()));
     environment.reactor.later(() -> listener.found(info));
-    description();
-    environment.send(address);
+    describe(address);
     match(
         participant,
         ParticipantInfo.PUBLICATIONS_READER,

@@ -1,33 +1,24 @@
 package org.urbi.ros.rtps;
 
-import java.net.InetSocketAddress;
-
 /** What the writers and readers of a participant share, guarded by its lock. */
 final class Environment {
+  /** Others, too, take so many bytes together at most where datagrams may be lost in pieces. */
+  private static final int LARGEST_ON_A_NETWORK = 14_720;
+
   final GuidPrefix prefix;
   final ParticipantOptions options;
   final Reactor reactor;
-  final MessageBuilder message;
+  final Outbox outbox;
   final MemoryBudget halfReceived;
-  private final DatagramSink sink;
 
   Environment(GuidPrefix prefix, ParticipantOptions options, Reactor reactor, DatagramSink sink) {
     this.prefix = prefix;
     this.options = options;
     this.reactor = reactor;
-    this.sink = sink;
-    message = new MessageBuilder(prefix);
+    int largest = options.fragmentSize() + MessageBuilder.OVERHEAD;
+    if (!options.address().isLoopbackAddress()) largest = Math.min(largest, LARGEST_ON_A_NETWORK);
+    outbox = new Outbox(prefix, reactor, sink, largest);
     halfReceived = new MemoryBudget(options.memory());
-  }
-
-  /** Sends what has been built. */
-  void send(InetSocketAddress to) {
-    sink.send(message.finish().duplicate(), to);
-  }
-
-  /** Sends what has been built to all of them. */
-  void send(InetSocketAddress[] addresses) {
-    var datagram = message.finish();
-    for (InetSocketAddress each : addresses) sink.send(datagram.duplicate(), each);
+    reactor.beforeLeaving(outbox::leave);
   }
 }

@@ -14,6 +14,12 @@ final class MessageBuilder {
    */
   static final int OVERHEAD = 256;
 
+  /** What a heartbeat takes. */
+  static final int HEARTBEAT_SIZE = 32;
+
+  /** What a fixed part and a set of numbers take, at most: an acknowledgement, a gap. */
+  static final int SET_SIZE = 80;
+
   private static final int LITTLE = 0x01;
   private static final int VERSION = 0x0203;
 
@@ -47,8 +53,9 @@ final class MessageBuilder {
     return this;
   }
 
-  boolean hasRoom(int bytes) {
-    return out.remaining() >= bytes;
+  /** How many bytes there are. */
+  int size() {
+    return out.position();
   }
 
   MessageBuilder data(int reader, int writer, Change change) {

@@ -233,6 +233,8 @@ public final class Participant implements AutoCloseable {
       List.copyOf(readers.values()).forEach(Reader::close);
       closed = true;
       discovery.close();
+      // Also if it is closed by what is called when something was received.
+      reactor.leave();
     } finally {
       reactor.unlock();
     }
@@ -254,8 +256,8 @@ public final class Participant implements AutoCloseable {
       malformed++;
     } finally {
       reactor.unlock();
+      reactor.settle();
     }
-    reactor.makeCalls();
   }
 
   private void received(MessageSource source, Submessage submessage) {

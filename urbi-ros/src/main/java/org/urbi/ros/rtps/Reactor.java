@@ -22,6 +22,7 @@ final class Reactor {
   private final BiConsumer<String, Throwable> trouble;
   private final Thread thread;
   private volatile Thread adopted;
+  private Runnable leaving = () -> {};
   private long serial;
   private long sleepsUntil;
   private boolean sleeping;
@@ -53,15 +54,30 @@ final class Reactor {
     lock.lock();
   }
 
+  /** The thread that receives leaves it without a word: it has calls to make first. */
   void unlock() {
-    lock.unlock();
+    try {
+      if (lock.getHoldCount() == 1 && Thread.currentThread() != adopted) leaving.run();
+    } finally {
+      lock.unlock();
+    }
   }
 
   Condition newCondition() {
     return lock.newCondition();
   }
 
-  /** That thread calls {@link #makeCalls} itself after whatever it does. */
+  /** Is done, with the lock, whenever that is about to be left. */
+  void beforeLeaving(Runnable action) {
+    leaving = action;
+  }
+
+  /** A thread that will wait for a condition is about to leave the lock. */
+  void leave() {
+    leaving.run();
+  }
+
+  /** That thread calls {@link #settle} itself after whatever it does. */
   void adopt(Thread other) {
     adopted = other;
   }
@@ -76,8 +92,19 @@ final class Reactor {
     if (current != thread && current != adopted) wakeUp();
   }
 
+  /** Makes the calls that wait, and does then what is due when the lock is left. */
+  void settle() {
+    makeCalls();
+    lock.lock();
+    try {
+      leaving.run();
+    } finally {
+      lock.unlock();
+    }
+  }
+
   /** Makes the calls that wait, unless another thread is at it. Never with the lock. */
-  void makeCalls() {
+  private void makeCalls() {
     while (!calls.isEmpty() && calling.tryLock()) {
       try {
         Runnable call = calls.poll();
@@ -124,6 +151,7 @@ final class Reactor {
         Timer first = timers.first();
         first.cancel();
         first.fire();
+        leaving.run();
       } else if (calls.isEmpty()) {
         sleepsUntil = timers.isEmpty() ? now + TimeUnit.HOURS.toNanos(1) : timers.first().due;
         sleeping = true;

@@ -2,6 +2,7 @@ package org.urbi.ros.rtps;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.time.SteadyClock;
@@ -67,17 +68,26 @@ public final class Reader implements AutoCloseable {
 
   /** The next sample, which is then no longer kept; null if there is none. */
   public @Nullable Sample take() {
+    List<Sample> next = take(1);
+    return next.isEmpty() ? null : next.getFirst();
+  }
+
+  /** The next samples, at most so many, which are then no longer kept. */
+  public List<Sample> take(int most) {
     reactor.lock();
     try {
-      Sample sample = queue.poll();
-      if (sample == null) return null;
-      bytes -= sample.payload().remaining();
+      List<Sample> taken = new ArrayList<>(Math.min(most, queue.size()));
+      while (taken.size() < most && !queue.isEmpty()) {
+        Sample sample = queue.remove();
+        bytes -= sample.payload().remaining();
+        taken.add(sample);
+      }
       // Not for each one: whoever keeps all asks for a lot at once.
       if (refused && queue.size() <= depth / 2 && bytes <= memory / 2) {
         refused = false;
         protocol.resume();
       }
-      return sample;
+      return taken;
     } finally {
       reactor.unlock();
     }

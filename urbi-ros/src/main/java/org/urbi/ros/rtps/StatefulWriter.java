@@ -40,9 +40,20 @@ final class StatefulWriter {
   private final Reactor.Timer heartbeats;
   private final Reactor.Timer paced;
   private InetSocketAddress[] addresses = {};
+
+  /** The participant of all readers, if they are all of the same. */
+  private GuidPrefix destination = GuidPrefix.UNKNOWN;
+
+  private boolean hasReliableReaders;
   private long heartbeatPeriod = FIRST_HEARTBEAT;
   private int heartbeatCount;
   private int unasked;
+
+  /** How many samples may be on their way. */
+  private int allowed = 1;
+
+  /** All up to this one were sent when the readers were last told what there is. */
+  private long announced;
 
   /** All up to this one have been sent. */
   private long sent;
@@ -158,6 +169,10 @@ final class StatefulWriter {
             .map(reader -> reader.address)
             .distinct()
             .toArray(InetSocketAddress[]::new);
+    hasReliableReaders = readers.values().stream().anyMatch(reader -> reader.reliable);
+    List<GuidPrefix> participants =
+        readers.keySet().stream().map(Guid::prefix).distinct().limit(2).toList();
+    destination = participants.size() == 1 ? participants.getFirst() : GuidPrefix.UNKNOWN;
   }
 
   boolean serves(Guid reader) {
@@ -177,9 +192,7 @@ final class StatefulWriter {
   /** Tells the readers that the writer lives. */
   void assertLiveliness() {
     for (ReaderProxy each : readers.values()) {
-      environment.message.begin(each.guid.prefix());
-      heartbeat(each.guid.entity(), true, true);
-      environment.send(each.address);
+      heartbeat(to(each), each.guid.entity(), true, true);
     }
   }
 
@@ -228,10 +241,9 @@ final class StatefulWriter {
         entry.getValue().clear(index);
         int size = environment.options.fragmentSize();
         environment
-            .message
-            .begin(reader.guid.prefix())
+            .outbox
+            .to(reader.address, reader.guid.prefix(), size + MessageBuilder.OVERHEAD)
             .fragment(reader.guid.entity(), entity, change, index, size);
-        environment.send(reader.address);
         pacing.sent(size, now);
       }
     }
@@ -245,20 +257,29 @@ final class StatefulWriter {
   }
 
   private void sendWhole(Change change) {
-    environment.message.begin().data(EntityId.UNKNOWN, entity, change);
-    long before = sent;
+    environment
+        .outbox
+        .sample(this, addresses, destination, change.size() + MessageBuilder.OVERHEAD)
+        .data(EntityId.UNKNOWN, entity, change);
     sent = change.sequence();
-    if (hasReliableReaders()) {
-      long waiting = before - leastAcknowledged(false);
-      int allowed = window.samples(change.size());
-      // Asked for at first, so that a single sample needs no timer, and often enough that the
-      // window never closes.
-      boolean ask = waiting <= 0 || ++unasked >= Math.max(1, allowed / 4) || waiting + 1 >= allowed;
-      if (ask) unasked = 0;
-      heartbeat(EntityId.UNKNOWN, !ask, false);
-      heartbeats.atLatestIn(heartbeatPeriod);
-    }
-    environment.send(addresses);
+    allowed = window.samples(change.size());
+  }
+
+  /** A datagram with samples of this writer is complete: says which ones it has. */
+  void announce(MessageBuilder message) {
+    if (!hasReliableReaders) return;
+    long acknowledged = leastAcknowledged(false);
+    unasked += (int) (sent - announced);
+    // Asked for at first, so that a single sample needs no timer, and often enough that the
+    // window never closes.
+    boolean ask =
+        announced <= acknowledged
+            || unasked >= Math.max(1, allowed / 4)
+            || sent - acknowledged >= allowed;
+    announced = sent;
+    if (ask) unasked = 0;
+    heartbeat(message, EntityId.UNKNOWN, !ask, false);
+    heartbeats.atLatestIn(heartbeatPeriod);
   }
 
   /** Whether the last fragment has been sent. */
@@ -273,28 +294,24 @@ final class StatefulWriter {
     while (sentFragments < all) {
       long now = SteadyClock.nanoseconds();
       if (waits(now)) return false;
-      environment.message.begin().fragment(EntityId.UNKNOWN, entity, change, sentFragments++, size);
+      MessageBuilder message =
+          environment.outbox.to(addresses, destination, size + MessageBuilder.OVERHEAD);
+      message.fragment(EntityId.UNKNOWN, entity, change, sentFragments++, size);
       if (sentFragments == all) {
         sent = change.sequence();
-        if (hasReliableReaders()) {
-          heartbeat(EntityId.UNKNOWN, false, false);
+        if (hasReliableReaders) {
+          heartbeat(message, EntityId.UNKNOWN, false, false);
           heartbeats.atLatestIn(heartbeatPeriod);
         }
       }
-      environment.send(addresses);
       pacing.sent(size, now);
     }
     return true;
   }
 
   private boolean isWindowFull(Change change) {
-    if (!hasReliableReaders()) return false;
+    if (!hasReliableReaders) return false;
     return sent - leastAcknowledged(false) >= window.samples(change.size());
-  }
-
-  private boolean hasReliableReaders() {
-    for (ReaderProxy each : readers.values()) if (each.reliable) return true;
-    return false;
   }
 
   /**
@@ -307,33 +324,36 @@ final class StatefulWriter {
     return least;
   }
 
-  private void heartbeat(int reader, boolean answerIsOptional, boolean liveliness) {
+  /** Where to put a heartbeat, or a gap and two of them, for one reader. */
+  private MessageBuilder to(ReaderProxy reader) {
+    int bytes = MessageBuilder.SET_SIZE + 2 * MessageBuilder.HEARTBEAT_SIZE;
+    return environment.outbox.to(reader.address, reader.guid.prefix(), bytes);
+  }
+
+  private void heartbeat(
+      MessageBuilder message, int reader, boolean answerIsOptional, boolean liveliness) {
     long first = Math.min(history.first(), sent + 1);
-    environment.message.heartbeat(
-        reader, entity, first, sent, ++heartbeatCount, answerIsOptional, liveliness);
+    message.heartbeat(reader, entity, first, sent, ++heartbeatCount, answerIsOptional, liveliness);
   }
 
   /** Asks one reader what it has. */
   private void tell(ReaderProxy reader) {
-    environment.message.begin(reader.guid.prefix());
-    heartbeat(reader.guid.entity(), false, false);
-    environment.send(reader.address);
+    heartbeat(to(reader), reader.guid.entity(), false, false);
   }
 
   /** Tells one reader where it begins, and asks what it has. */
   private void introduce(ReaderProxy reader) {
     reader.introduced = SteadyClock.nanoseconds();
-    environment.message.begin(reader.guid.prefix());
+    MessageBuilder message = to(reader);
     int to = reader.guid.entity();
-    if (reader.start > 1) environment.message.gap(to, entity, 1, reader.start);
+    if (reader.start > 1) message.gap(to, entity, 1, reader.start);
     // First as if nothing had been written since it came: then it knows what it has to wait for,
     // whatever has been lost. Then what there is: nobody is to believe that the writer begins anew.
     long last = reader.wantsAll ? sent : reader.start - 1;
     long first = Math.min(history.first(), last + 1);
     boolean more = last < sent;
-    environment.message.heartbeat(to, entity, first, last, ++heartbeatCount, more, false);
-    if (more) heartbeat(to, false, false);
-    environment.send(reader.address);
+    message.heartbeat(to, entity, first, last, ++heartbeatCount, more, false);
+    if (more) heartbeat(message, to, false, false);
   }
 
   private void heartbeatIsDue() {
@@ -394,7 +414,8 @@ final class StatefulWriter {
 
   private void sendMissing(ReaderProxy reader, SequenceSet missing) {
     int to = reader.guid.entity();
-    MessageBuilder message = environment.message.begin(reader.guid.prefix());
+    Outbox outbox = environment.outbox;
+    GuidPrefix prefix = reader.guid.prefix();
     int bytes = 0;
     List<Change> fragmented = new ArrayList<>();
     long end = Math.min(sent + 1, missing.base() + missing.size());
@@ -406,11 +427,8 @@ final class StatefulWriter {
         continue;
       }
       int size = MessageBuilder.OVERHEAD + (change == null ? 0 : change.size());
-      if (!message.hasRoom(size + MessageBuilder.OVERHEAD)) {
-        environment.send(reader.address);
-        message.begin(reader.guid.prefix());
-      }
       bytes += size;
+      MessageBuilder message = outbox.to(reader.address, prefix, size);
       if (change != null) {
         message.data(to, entity, change);
       } else {
@@ -419,8 +437,7 @@ final class StatefulWriter {
         each = next - 1;
       }
     }
-    heartbeat(to, false, false);
-    environment.send(reader.address);
+    tell(reader);
     for (Change each : fragmented) sendAgain(reader, each);
   }
 
@@ -436,8 +453,10 @@ final class StatefulWriter {
       all.set(0, change.fragments(environment.options.fragmentSize()));
       reader.requested.putIfAbsent(change.sequence(), all);
     } else {
-      environment.message.begin(reader.guid.prefix()).data(reader.guid.entity(), entity, change);
-      environment.send(reader.address);
+      environment
+          .outbox
+          .to(reader.address, reader.guid.prefix(), change.size() + MessageBuilder.OVERHEAD)
+          .data(reader.guid.entity(), entity, change);
     }
   }
 
@@ -448,10 +467,8 @@ final class StatefulWriter {
     Change change = history.get(request.sequence());
     if (change == null || !isFragmented(change)) {
       if (request.sequence() <= sent) {
-        environment.message.begin(reader.guid.prefix());
-        environment.message.gap(
-            guid.entity(), entity, request.sequence(), endOfGap(reader, request.sequence()));
-        environment.send(reader.address);
+        to(reader)
+            .gap(guid.entity(), entity, request.sequence(), endOfGap(reader, request.sequence()));
       }
       return;
     }

@@ -117,6 +117,7 @@ public final class Writer implements AutoCloseable {
       long left = nanos;
       while (!closed && !condition.getAsBoolean()) {
         if (left <= 0) return false;
+        reactor.leave();
         left = roomCondition.awaitNanos(left);
       }
       return !closed;

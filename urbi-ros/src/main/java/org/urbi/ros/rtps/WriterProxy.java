@@ -215,6 +215,13 @@ final class WriterProxy {
       return;
     }
     announced = Math.max(announced, sequence);
+    boolean isNext = isKnown && sequence == expected && ahead.isEmpty();
+    if (isNext && sink.deliver(sample)) {
+      giveBack(sample);
+      handedOver();
+      discardAssemblies();
+      return;
+    }
     ahead.put(sequence, Optional.of(sample));
     if (!isKnown && sequence == 1 && (fromBeginning || !keepsOld)) know(1);
     if (isKnown) deliverAhead();
@@ -229,12 +236,14 @@ final class WriterProxy {
       if (isNext && sample.isPresent() && !sink.deliver(sample.get())) return;
       sample.ifPresent(this::giveBack);
       ahead.pollFirstEntry();
-      if (isNext) {
-        expected++;
-        askPeriod = FIRST_ASKING;
-      }
+      if (isNext) handedOver();
     }
     discardAssemblies();
+  }
+
+  private void handedOver() {
+    expected++;
+    askPeriod = FIRST_ASKING;
   }
 
   private void discardAssemblies() {
@@ -411,17 +420,17 @@ final class WriterProxy {
         continue;
       }
       SequenceSet missing = entry.getValue().missing();
-      environment.message.begin(writer.prefix());
-      environment.message.fragmentRequest(
-          reader, writer.entity(), entry.getKey(), missing, ++count);
-      environment.send(address);
+      environment
+          .outbox
+          .to(address, writer.prefix(), MessageBuilder.SET_SIZE)
+          .fragmentRequest(reader, writer.entity(), entry.getKey(), missing, ++count);
     }
   }
 
   private void acknowledge(SequenceSet missing) {
-    environment.message.begin(writer.prefix());
-    environment.message.acknowledgement(
-        reader, writer.entity(), missing, ++count, isKnown && missing.isEmpty());
-    environment.send(address);
+    environment
+        .outbox
+        .to(address, writer.prefix(), MessageBuilder.SET_SIZE)
+        .acknowledgement(reader, writer.entity(), missing, ++count, isKnown && missing.isEmpty());
   }
 }

@@ -54,6 +54,9 @@ public final class TwoNode implements Node {
 
   private static final int MOST_ENDPOINTS = 4096;
 
+  /** So many samples are taken at once. */
+  private static final int AT_ONCE = 64;
+
   private static final Executor TASKS =
       task -> Thread.ofVirtual().name("urbi-ros-task").start(task);
 
@@ -351,12 +354,18 @@ public final class TwoNode implements Node {
    * Takes all that a reader has; what one sample leads to does not keep the next from being taken.
    */
   void takeAll(Reader reader, Consumer<Sample> action) {
-    for (Sample each = reader.take(); each != null; each = reader.take()) {
-      try {
-        if (!each.disposed()) action.accept(each);
-      } catch (Throwable e) {
-        reports.tell(reader.info().topic(), e);
-      }
+    List<Sample> taken = reader.take(AT_ONCE);
+    while (!taken.isEmpty()) {
+      for (Sample each : taken) hand(each, reader, action);
+      taken = reader.take(AT_ONCE);
+    }
+  }
+
+  private void hand(Sample sample, Reader reader, Consumer<Sample> action) {
+    try {
+      if (!sample.disposed()) action.accept(sample);
+    } catch (Throwable e) {
+      reports.tell(reader.info().topic(), e);
     }
   }
 

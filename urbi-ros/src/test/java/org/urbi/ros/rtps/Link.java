@@ -3,12 +3,14 @@ package org.urbi.ros.rtps;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 
 /** What is between a participant and the network: loses datagrams, or all of them. */
 final class Link implements UnaryOperator<DatagramSink> {
   private final Random random;
   private final int losesOneOf;
+  private final AtomicLong lost = new AtomicLong();
   private volatile boolean cut;
 
   /** Loses one datagram of so many; none for 0. */
@@ -25,8 +27,14 @@ final class Link implements UnaryOperator<DatagramSink> {
   @Override
   public DatagramSink apply(DatagramSink network) {
     return (datagram, to) -> {
-      if (!isLost()) network.send(datagram, to);
+      if (isLost()) lost.incrementAndGet();
+      else network.send(datagram, to);
     };
+  }
+
+  /** How many it has lost. */
+  long lost() {
+    return lost.get();
   }
 
   private boolean isLost() {
