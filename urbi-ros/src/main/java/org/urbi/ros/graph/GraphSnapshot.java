@@ -45,10 +45,23 @@ public record GraphSnapshot(
 
   private static final String SEND_GOAL = "/_action/send_goal";
   private static final String GOAL_TYPE = "_SendGoal";
+  private static final String GOAL = "/goal";
+  private static final String RESULT = "/result";
+  private static final String GOAL_MESSAGE = "ActionGoal";
 
-  /** Actions by their full names: those to whose services of ROS 2 goals can be sent. */
+  /**
+   * Actions by their full names: those to whose services of ROS 2, or topics of ROS 1, goals can be
+   * sent.
+   */
   public SortedMap<String, ActionInfo> actions() {
     SortedMap<String, ActionInfo> all = new TreeMap<>();
+    topics.forEach((name, topic) -> {
+      if (!name.endsWith(GOAL) || !topic.type().endsWith(GOAL_MESSAGE)) return;
+      String action = without(name, GOAL);
+      TopicInfo result = topics.get(action + RESULT);
+      if (result != null && !result.publishers().isEmpty())
+        all.put(action, new ActionInfo(without(topic.type(), GOAL_MESSAGE), result.publishers()));
+    });
     services.forEach((name, service) -> {
       if (name.endsWith(SEND_GOAL) && service.type().endsWith(GOAL_TYPE))
         all.put(

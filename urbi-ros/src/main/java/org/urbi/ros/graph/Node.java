@@ -101,11 +101,7 @@ public interface Node extends AutoCloseable {
    */
   ServiceServer serve(String service, ServiceType type, ServiceServer.Handler handler);
 
-  /**
-   * The actions of this node and of others.
-   *
-   * @throws RosException if this ROS has none
-   */
+  /** The actions of this node and of others. */
   Actions actions();
 
   /** Says good-bye, and ends everything. */

@@ -86,13 +86,38 @@ public final class Definitions {
   }
 
   /**
-   * An action of ROS 2 by its name, {@code test_msgs/Fibonacci} or {@code
-   * test_msgs/action/Fibonacci}.
+   * An action by its name, {@code test_msgs/Fibonacci} or {@code test_msgs/action/Fibonacci}.
    *
    * @throws DefinitionException as for {@link #message(String)}
    */
   public ActionType action(String written) {
     TypeName name = TypeName.parse(written, TypeName.Kind.ACTION);
+    return dialect == Dialect.ROS_1 ? actionOfOne(name) : actionOfTwo(name);
+  }
+
+  /** Of the file of the action, or of the messages that were made of it. */
+  private ActionType.One actionOfOne(TypeName name) {
+    Map<TypeName, MessageDefinition> own = new LinkedHashMap<>();
+    List<TypeName> names = Derived.messagesOfOne(name);
+    if (files.find(dialect, names.getFirst()) == null) {
+      List<String> parts = DefinitionReader.parts(name, text(name), names.size());
+      for (int i = 0; i < names.size(); i++) {
+        add(own, DefinitionReader.read(names.get(i), dialect, parts.get(i)));
+      }
+    }
+    List<MessageType> plain = names.stream().map(each -> linked(each, own)).toList();
+    List<MessageType> sent =
+        Derived.topicsOfOne(name).stream().map(each -> link(each, own)).toList();
+    return new ActionType.One(
+        name, plain.get(0), plain.get(1), plain.get(2), sent.get(0), sent.get(1), sent.get(2));
+  }
+
+  private MessageType linked(TypeName name, Map<TypeName, MessageDefinition> own) {
+    MessageDefinition known = own.get(name);
+    return known != null ? link(known, own) : message(name);
+  }
+
+  private ActionType.Two actionOfTwo(TypeName name) {
     List<String> parts = DefinitionReader.parts(name, text(name), 3);
     Map<TypeName, MessageDefinition> own = new LinkedHashMap<>();
     List<String> suffixes = List.of("_Goal", "_Result", "_Feedback");
@@ -101,7 +126,7 @@ public final class Definitions {
     }
     Derived.ofAction(name).forEach(each -> add(own, each));
     add(own, Derived.action(name));
-    return new ActionType(
+    return new ActionType.Two(
         link(known(own, name), own),
         link(known(own, name.derived("_Goal")), own),
         link(known(own, name.derived("_Result")), own),

@@ -1,6 +1,8 @@
 package org.urbi.ros.message;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
 
 /**
  * What ROS derives from services and actions: the messages that are really sent, each described as
@@ -48,7 +50,7 @@ final class Derived {
         atMostOne("response", service.derived("_Response")));
   }
 
-  /** An action as one message. */
+  /** An action of ROS 2 as one message. */
   static MessageDefinition action(TypeName name) {
     return message(
         name,
@@ -58,6 +60,29 @@ final class Derived {
         field("send_goal_service", name.derived("_SendGoal")),
         field("get_result_service", name.derived("_GetResult")),
         field("feedback_message", name.derived("_FeedbackMessage")));
+  }
+
+  /** What an action of ROS 1 consists of: the names of its goal, result and feedback. */
+  static List<TypeName> messagesOfOne(TypeName action) {
+    return Stream.of("Goal", "Result", "Feedback")
+        .map(each -> TypeName.message(action.pack(), action.name() + each))
+        .toList();
+  }
+
+  /** The messages in which they travel. */
+  static List<MessageDefinition> topicsOfOne(TypeName action) {
+    return List.of(
+        topicOfOne(action, "Goal", "actionlib_msgs/GoalID goal_id"),
+        topicOfOne(action, "Result", "actionlib_msgs/GoalStatus status"),
+        topicOfOne(action, "Feedback", "actionlib_msgs/GoalStatus status"));
+  }
+
+  private static MessageDefinition topicOfOne(TypeName action, String what, String whose) {
+    String text =
+        "Header header\n%s\n%s%s %s\n"
+            .formatted(whose, action.name(), what, what.toLowerCase(Locale.ROOT));
+    return DefinitionReader.read(
+        TypeName.message(action.pack(), action.name() + "Action" + what), Dialect.ROS_1, text);
   }
 
   /** The messages of the services of an action, and that of its feedback. */

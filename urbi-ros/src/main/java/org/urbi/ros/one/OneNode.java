@@ -48,6 +48,7 @@ public final class OneNode implements Node {
   private final List<OneSubscription> subscriptions = new CopyOnWriteArrayList<>();
   private final Map<String, OneServiceServer> services = new ConcurrentHashMap<>();
   private final Set<OneServiceClient> clients = ConcurrentHashMap.newKeySet();
+  private final OneActions actions = new OneActions(this);
   private final List<Consumer<GraphSnapshot>> watchers = new CopyOnWriteArrayList<>();
   private final Consumer<Boolean> presence;
 
@@ -219,7 +220,7 @@ public final class OneNode implements Node {
 
   @Override
   public Actions actions() {
-    throw new RosException("ROS 1 has no actions but the topics of actionlib: /name/goal …");
+    return actions;
   }
 
   @Override
@@ -462,6 +463,7 @@ public final class OneNode implements Node {
   @Override
   public void close() {
     closed = true;
+    actions.close();
     watch.close();
     publications.values().forEach(Publication::closeAll);
     subscriptions.forEach(OneSubscription::close);

@@ -13,6 +13,7 @@ import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.GoalStatus;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.SentGoal;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.ActionType;
@@ -26,15 +27,15 @@ final class TwoActionClient implements ActionClient {
   private final TwoActions actions;
   private final TwoNode node;
   private final String action;
-  private final ActionType type;
-  private final Map<UUID, SentGoal> goals = new ConcurrentHashMap<>();
+  private final ActionType.Two type;
+  private final Map<UUID, TwoGoal> goals = new ConcurrentHashMap<>();
   private final Subscription feedback;
   private final Subscription status;
   private final CompletableFuture<ServiceClient> sendGoal;
   private final CompletableFuture<ServiceClient> cancelGoal;
   private final CompletableFuture<ServiceClient> getResult;
 
-  TwoActionClient(TwoActions actions, String action, ActionType type) {
+  TwoActionClient(TwoActions actions, String action, ActionType.Two type) {
     this.actions = actions;
     this.node = actions.node();
     this.action = action;
@@ -93,9 +94,9 @@ final class TwoActionClient implements ActionClient {
 
   @Override
   public Goal send(UDictionary goal, Listener listener) {
-    SentGoal sent = new SentGoal(listener);
+    TwoGoal sent = new TwoGoal(listener);
     goals.put(sent.id, sent);
-    sent.outcome.whenComplete((outcome, failure) -> goals.remove(sent.id));
+    sent.outcome().whenComplete((outcome, failure) -> goals.remove(sent.id));
     UDictionary request = request(sent.id).with("goal", goal);
     try {
       sendGoal.join().request(request).whenComplete(sent::answered);
@@ -118,13 +119,13 @@ final class TwoActionClient implements ActionClient {
   }
 
   private void feedbackReceived(UDictionary message) {
-    SentGoal sent = goals.get(GoalIds.of(message));
-    if (sent != null) sent.listener.feedback(part(message, "feedback").udictionaryValue());
+    TwoGoal sent = goals.get(GoalIds.of(message));
+    if (sent != null) sent.feedback(part(message, "feedback").udictionaryValue());
   }
 
   private void statusReceived(UValue each) {
     UDictionary told = each.udictionaryValue();
-    SentGoal sent = goals.get(GoalIds.of(part(told, "goal_info").udictionaryValue()));
+    TwoGoal sent = goals.get(GoalIds.of(part(told, "goal_info").udictionaryValue()));
     if (sent != null) sent.told(GoalStatus.of(part(told, "status").intValue()));
   }
 
@@ -138,20 +139,11 @@ final class TwoActionClient implements ActionClient {
         .forEach(each -> each.thenAccept(ServiceClient::close));
   }
 
-  private final class SentGoal implements Goal {
+  private final class TwoGoal extends SentGoal {
     final UUID id = actions.newId();
-    final Listener listener;
-    final CompletableFuture<Void> accepted = new CompletableFuture<>();
-    final CompletableFuture<Outcome> outcome = new CompletableFuture<>();
-    private GoalStatus last = GoalStatus.UNKNOWN;
 
-    SentGoal(Listener listener) {
-      this.listener = listener;
-    }
-
-    void fail(Throwable reason) {
-      accepted.completeExceptionally(reason);
-      outcome.completeExceptionally(reason);
+    TwoGoal(Listener listener) {
+      super(listener);
     }
 
     void answered(@Nullable UDictionary answer, @Nullable Throwable failure) {
@@ -163,7 +155,7 @@ final class TwoActionClient implements ActionClient {
         // Asked before anybody can have it cancelled: the answer comes when the goal has ended.
         getResult.join().request(request(id)).whenComplete(this::ended);
         told(GoalStatus.ACCEPTED);
-        accepted.complete(null);
+        accept();
       }
     }
 
@@ -173,35 +165,15 @@ final class TwoActionClient implements ActionClient {
         return;
       }
       GoalStatus end = GoalStatus.of(part(answer, "status").intValue());
-      if (end.isEnd())
-        outcome.complete(new Outcome(end, part(answer, "result").udictionaryValue()));
+      if (end.isEnd()) end(new Outcome(end, part(answer, "result").udictionaryValue()));
       else fail(new RosException(action + " does not know the goal any more"));
-    }
-
-    void told(GoalStatus now) {
-      synchronized (this) {
-        // What is told by another way may be older.
-        if (now.isEnd() || now.compareTo(last) <= 0) return;
-        last = now;
-      }
-      listener.status(now);
-    }
-
-    @Override
-    public CompletableFuture<Void> accepted() {
-      return accepted;
-    }
-
-    @Override
-    public CompletableFuture<Outcome> outcome() {
-      return outcome;
     }
 
     @Override
     public CompletableFuture<Boolean> cancel() {
       UDictionary request = Templates.of(actions.cancelGoal().request());
       part(request, "goal_info").udictionaryValue().put("goal_id", GoalIds.message(id));
-      return accepted
+      return accepted()
           .thenCompose(now -> cancelGoal.join().request(request))
           .thenApply(TwoActionClient::isGivenUp);
     }

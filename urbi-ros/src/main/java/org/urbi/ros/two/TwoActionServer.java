@@ -39,7 +39,7 @@ final class TwoActionServer implements ActionServer {
 
   private final TwoActions actions;
   private final String action;
-  private final ActionType type;
+  private final ActionType.Two type;
   private final Handler handler;
   private final MessageCodec results;
   private final Map<UUID, ServedGoal> goals = new LinkedHashMap<>();
@@ -49,7 +49,7 @@ final class TwoActionServer implements ActionServer {
   private int waiting;
   private boolean closed;
 
-  TwoActionServer(TwoActions actions, String action, ActionType type, Handler handler) {
+  TwoActionServer(TwoActions actions, String action, ActionType.Two type, Handler handler) {
     this.actions = actions;
     this.action = action;
     this.type = type;

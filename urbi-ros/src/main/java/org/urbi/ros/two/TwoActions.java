@@ -7,6 +7,7 @@ import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.ActionServer;
 import org.urbi.ros.graph.Actions;
 import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.ActionType;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
@@ -43,10 +44,10 @@ final class TwoActions implements Actions {
   @Override
   public CompletableFuture<ActionClient> client(String action, @Nullable ActionType type) {
     String full = node.resolve(action);
-    if (type != null) return new TwoActionClient(this, full, type).ready();
+    if (type != null) return new TwoActionClient(this, full, own(type)).ready();
     return node.typeOfService(
             full + SEND_GOAL, "there is no action " + full + ": Ros.actions has all")
-        .thenCompose(found -> new TwoActionClient(this, full, typeOf(found)).ready());
+        .thenCompose(found -> new TwoActionClient(this, full, own(typeOf(found))).ready());
   }
 
   /** The type of an action, by that of the service to which goals are sent. */
@@ -61,7 +62,12 @@ final class TwoActions implements Actions {
 
   @Override
   public ActionServer serve(String action, ActionType type, ActionServer.Handler handler) {
-    return new TwoActionServer(this, node.resolve(action), type, handler);
+    return new TwoActionServer(this, node.resolve(action), own(type), handler);
+  }
+
+  private static ActionType.Two own(ActionType type) {
+    if (type instanceof ActionType.Two two) return two;
+    throw new RosException(type.name() + " is an action of ROS 1");
   }
 
   TwoNode node() {

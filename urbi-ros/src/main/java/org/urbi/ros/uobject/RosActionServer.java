@@ -158,7 +158,7 @@ public final class RosActionServer extends UObject implements AutoCloseable {
     }
   }
 
-  /** Tells people of what went wrong: ROS 2 has no way to tell the client why. */
+  /** Tells people of what went wrong: ROS has no way to tell the client why. */
   public void report(String reason) {
     getUContext().report("ROS: " + action + " failed: " + reason);
   }

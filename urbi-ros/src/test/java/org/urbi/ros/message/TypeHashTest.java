@@ -46,7 +46,7 @@ class TypeHashTest {
         }
         default -> {
           if (name.indexOf('_', name.lastIndexOf('/')) < 0) {
-            put(computed, definitions.action(name).whole());
+            put(computed, ((ActionType.Two) definitions.action(name)).whole());
           }
         }
       }
@@ -70,7 +70,7 @@ class TypeHashTest {
     Definitions definitions = Oracle.definitions(Dialect.ROS_2);
     Map<String, String> expected = new HashMap<>();
     Oracle.lines("rihs.txt").forEach(line -> expected.put(line.split(" ")[0], line.split(" ")[1]));
-    ActionType action = definitions.action("test_msgs/Fibonacci");
+    ActionType.Two action = (ActionType.Two) definitions.action("test_msgs/Fibonacci");
     for (MessageType each :
         List.of(
             action.goal(),

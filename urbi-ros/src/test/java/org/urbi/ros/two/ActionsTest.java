@@ -48,8 +48,8 @@ class ActionsTest {
         text -> {});
   }
 
-  private static ActionType fibonacci(TwoNode node) {
-    return node.definitions().action("test_msgs/Fibonacci");
+  private static ActionType.Two fibonacci(TwoNode node) {
+    return (ActionType.Two) node.definitions().action("test_msgs/Fibonacci");
   }
 
   private static UDictionary goal(int order) {

@@ -315,4 +315,37 @@ class ManualTest {
     kernel.eval("Ros.deleteParam(\"/tested\");");
     assertEquals("false", text("Ros.hasParam(\"/tested\")"));
   }
+
+  /** As in ROS 2: the manual has none. */
+  @Test
+  void actions() throws Exception {
+    kernel.eval(
+        """
+        var Global.server = Ros.offerAction("/counts", "actionlib/Test",
+          function (var goal)
+          {
+            goal << ["feedback" => goal.request["goal"] + 1]|
+            if (goal.request["goal"] >= 100)
+              sleep(inf)|
+            ["result" => goal.request["goal"] + 2]
+          },
+          function (var request) { request["goal"] >= 0 })|;
+        while ("/counts" not in Ros.actions)
+          sleep(10ms);
+        var Global.counts = Ros.Action.new("/counts")|;
+        """);
+    assertTrue(holds("counts.goalStruct == [\"goal\" => 0]"));
+    assertTrue(holds("counts.run([\"goal\" => 1]) == [\"result\" => 3]"));
+    refused("counts.run([\"goal\" => -1]);", "/counts refuses the goal");
+    refused("counts.run([\"go\" => 1]);", "goal.goal: this key of actionlib/TestGoal is missing");
+    kernel.eval(
+        """
+        var Global.sent = counts.send(["goal" => 500])|;
+        waituntil (!sent.feedback.isVoid);
+        assert(sent.feedback == ["feedback" => 501]);
+        sent.cancel;
+        waituntil (sent.status == "canceled");
+        server.close;
+        """);
+  }
 }
