@@ -8,6 +8,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
@@ -31,7 +33,7 @@ class ComponentFailureTest {
   public static class FailingObject extends UObject {
     public FailingObject(String name) {
       super(name);
-      UBindFunctions("assertion", "missing", "exception");
+      UBindFunctions("assertion", "missing", "exception", "refuses", "refusesLater");
       UBindThreadedFunction("later", LockMode.LOCK_NONE);
       UBindFunctions("begin");
     }
@@ -48,6 +50,14 @@ class ComponentFailureTest {
       throw new UnsupportedOperationException("no arm");
     }
 
+    public int refuses() {
+      throw new Refusal();
+    }
+
+    public CompletionStage<Integer> refusesLater() {
+      return CompletableFuture.<Integer>failedFuture(new Refusal()).thenApply(any -> any);
+    }
+
     public int later() {
       throw new AssertionError("broken");
     }
@@ -55,6 +65,20 @@ class ComponentFailureTest {
     public int begin() {
       USetTimer(1, this, "assertion");
       return 0;
+    }
+  }
+
+  /** For whoever asks, who is not interested in where it comes from. */
+  private static final class Refusal extends IllegalStateException {
+    private static final long serialVersionUID = 1;
+
+    Refusal() {
+      super("ask again tomorrow");
+    }
+
+    @Override
+    public synchronized Throwable fillInStackTrace() {
+      return this;
     }
   }
 
@@ -103,6 +127,14 @@ class ComponentFailureTest {
         "exception caught while calling FailingObject.exception",
         "java.lang.UnsupportedOperationException: no arm",
         "\tat " + FailingObject.class.getName());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"refuses", "refusesLater"})
+  void whatAComponentRefusesIsForTheOneWhoAsks(String function) {
+    String told = thrownBy("FailingObject." + function);
+    assertTrue(told.endsWith("FailingObject." + function + ": ask again tomorrow"), told);
+    assertEquals("", log());
   }
 
   @Test

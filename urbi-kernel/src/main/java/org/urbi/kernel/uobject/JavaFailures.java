@@ -95,24 +95,33 @@ final class JavaFailures {
   }
 
   /**
-   * The message for what a component has thrown; the stack trace goes to the log.
+   * The message for what a component has thrown; its stack trace goes to the log. A component that
+   * refuses something with an exception without a stack trace speaks to whoever is told only.
    *
    * @param doing the activity that failed
    */
   static String caught(String doing, Throwable failure) {
-    if (!(failure instanceof ConversionFailure)) {
+    Throwable cause = cause(failure);
+    boolean isRefusal = !(cause instanceof Error) && cause.getStackTrace().length == 0;
+    if (!(failure instanceof ConversionFailure || isRefusal)) {
       FailureLog.component(doing, failure);
     }
     return Problem.CAUGHT_IN_COMPONENT.text(doing, text(failure));
   }
 
-  /** The text of a failure. */
-  static String text(Throwable failure) {
+  /** What was thrown, without what a thread or a promise has wrapped it in. */
+  private static Throwable cause(Throwable failure) {
     Throwable cause = failure;
     while ((cause instanceof CompletionException || cause instanceof ExecutionException)
         && cause.getCause() != null) {
       cause = cause.getCause();
     }
+    return cause;
+  }
+
+  /** The text of a failure. */
+  static String text(Throwable failure) {
+    Throwable cause = cause(failure);
     if (cause instanceof StackOverflowError) {
       return Problem.STACK_EXHAUSTED.text();
     }
