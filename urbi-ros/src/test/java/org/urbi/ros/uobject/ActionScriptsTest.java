@@ -2,17 +2,13 @@ package org.urbi.ros.uobject;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.ros.rtps.Neighbourhood;
-import org.urbi.ros.rtps.Peer;
 
 /** Actions of ROS 2 in urbiscript. */
-class ActionScriptsTest {
+class ActionScriptsTest extends ScriptsFixture {
   private static final String SCRIPT = "actions.py";
 
   private static final String OFFERS =
@@ -38,92 +34,86 @@ class ActionScriptsTest {
         function (var request) { request["order"] >= 0 })|;
       """;
 
-  @TempDir static Path folder;
-
-  @BeforeAll
-  static void writeModule() throws Exception {
-    RosJar.writeTo(folder);
-  }
-
   @ParameterizedTest
   @ValueSource(strings = {"kilted", "jazzy"})
   void goalsThatOthersPursue(String environment) throws Exception {
-    try (Neighbourhood domain = new Neighbourhood();
-        Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
-        Scripts urbi = new Scripts(folder, domain, Peer.prefix(environment))) {
-      peer.say("serve /fibonacci count");
-      peer.expect("serving");
-      urbi.run(
-          """
-          while ("/fibonacci" not in Ros.actions || Ros.actions["/fibonacci"]["providers"].empty)
-            sleep(10ms);
-          """);
-      assertTrue(
-          urbi.holds(
-              "Ros.actions[\"/fibonacci\"] == [\"type\" => \"test_msgs/action/Fibonacci\","
-                  + " \"providers\" => [\"/peer\"]]"));
-      assertTrue(
-          urbi.holds(
-              "Ros.topics.keys.all(function (var name) { name.split(\"/_\").size == 1 })"
-                  + " && Ros.services.keys.all(function (var name) { name.split(\"/_\").size == 1 })"
-                  + " && !Ros.topics.empty && !Ros.services.empty"));
-      urbi.run(
-          """
-          var Global.fib = Ros.Action.new("/fibonacci")|;
-          var Global.steps = []|;
-          at (fib.onFeedback?(var feedback)) steps << feedback["sequence"].size;
-          """);
-      assertTrue(urbi.holds("fib.name == \"/fibonacci\" && fib.goalStruct == [\"order\" => 0]"));
-      assertTrue(urbi.holds("fib.run([\"order\" => 4]) == [\"sequence\" => [0, 1, 1, 2, 3]]"));
-      urbi.run("waituntil (steps == [3, 4, 5]);");
-      urbi.refused("fib.run([\"order\" => -1]);", "/fibonacci refuses the goal");
-      urbi.refused("fib.run([\"order\" => 0]);", "/fibonacci: the goal was aborted");
-      urbi.refused("fib.run([\"order\" => \"many\"]);", "goal.order: a number expected");
-      // Whoever is stopped has the server give it up.
-      urbi.run(
-          """
-          var Global.pursuit = Tag.new|;
-          steps.clear;
-          pursuit: fib.run(["order" => 40]),
-          waituntil (!steps.empty);
-          pursuit.stop;
-          """);
-      peer.expect("cancelled");
-      urbi.run("timeout (200ms) fib.run([\"order\" => 40]);");
-      peer.expect("cancelled");
-      urbi.run(
-          """
-          var Global.goal = fib.send(["order" => 40])|;
-          at (goal.status == "canceled") echo("given up");
-          waituntil (!goal.feedback.isVoid);
-          """);
-      assertTrue(urbi.holds("goal.cancel"));
-      peer.expect("cancelled");
-      urbi.says("given up");
-      assertTrue(urbi.holds("goal.result[\"sequence\"].size > 2"));
-      peer.kill();
-    }
+    talk(
+        environment,
+        SCRIPT,
+        (urbi, peer) -> {
+          peer.say("serve /fibonacci count");
+          peer.expect("serving");
+          urbi.run(
+              """
+              while ("/fibonacci" not in Ros.actions || Ros.actions["/fibonacci"]["providers"].empty)
+                sleep(10ms);
+              """);
+          assertTrue(
+              urbi.holds(
+                  "Ros.actions[\"/fibonacci\"] == [\"type\" => \"test_msgs/action/Fibonacci\","
+                      + " \"providers\" => [\"/peer\"]]"));
+          assertTrue(
+              urbi.holds(
+                  "Ros.topics.keys.all(function (var name) { name.split(\"/_\").size == 1 })"
+                      + " && Ros.services.keys.all(function (var name) { name.split(\"/_\").size == 1 })"
+                      + " && !Ros.topics.empty && !Ros.services.empty"));
+          urbi.run(
+              """
+              var Global.fib = Ros.Action.new("/fibonacci")|;
+              var Global.steps = []|;
+              at (fib.onFeedback?(var feedback)) steps << feedback["sequence"].size;
+              """);
+          assertTrue(
+              urbi.holds("fib.name == \"/fibonacci\" && fib.goalStruct == [\"order\" => 0]"));
+          assertTrue(urbi.holds("fib.run([\"order\" => 4]) == [\"sequence\" => [0, 1, 1, 2, 3]]"));
+          urbi.run("waituntil (steps == [3, 4, 5]);");
+          urbi.refused("fib.run([\"order\" => -1]);", "/fibonacci refuses the goal");
+          urbi.refused("fib.run([\"order\" => 0]);", "/fibonacci: the goal was aborted");
+          urbi.refused("fib.run([\"order\" => \"many\"]);", "goal.order: a number expected");
+          // Whoever is stopped has the server give it up.
+          urbi.run(
+              """
+              var Global.pursuit = Tag.new|;
+              steps.clear;
+              pursuit: fib.run(["order" => 40]),
+              waituntil (!steps.empty);
+              pursuit.stop;
+              """);
+          peer.expect("cancelled");
+          urbi.run("timeout (200ms) fib.run([\"order\" => 40]);");
+          peer.expect("cancelled");
+          urbi.run(
+              """
+              var Global.goal = fib.send(["order" => 40])|;
+              at (goal.status == "canceled") echo("given up");
+              waituntil (!goal.feedback.isVoid);
+              """);
+          assertTrue(urbi.holds("goal.cancel"));
+          peer.expect("cancelled");
+          urbi.says("given up");
+          assertTrue(urbi.holds("goal.result[\"sequence\"].size > 2"));
+        });
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"kilted", "jazzy"})
   void goalsOfOthers(String environment) throws Exception {
-    try (Neighbourhood domain = new Neighbourhood();
-        Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
-        Scripts urbi = new Scripts(folder, domain, Peer.prefix(environment))) {
-      urbi.run(OFFERS);
-      peer.say("goal /ours 5");
-      peer.expect("4 [0, 1, 1, 2, 3, 5] [0, 1, 1, 2, 3, 5]");
-      peer.say("goal /ours -1");
-      peer.expect("refused");
-      peer.say("goal /ours 0");
-      peer.expect("6 []");
-      peer.say("late /ours 2");
-      peer.expect("4 [0, 1, 1]");
-      peer.say("cancel /ours 1000");
-      peer.expect("0 1 5 [0, 1, 1]");
-      peer.kill();
-    }
+    talk(
+        environment,
+        SCRIPT,
+        (urbi, peer) -> {
+          urbi.run(OFFERS);
+          peer.say("goal /ours 5");
+          peer.expect("4 [0, 1, 1, 2, 3, 5] [0, 1, 1, 2, 3, 5]");
+          peer.say("goal /ours -1");
+          peer.expect("refused");
+          peer.say("goal /ours 0");
+          peer.expect("6 []");
+          peer.say("late /ours 2");
+          peer.expect("4 [0, 1, 1]");
+          peer.say("cancel /ours 1000");
+          peer.expect("0 1 5 [0, 1, 1]");
+        });
   }
 
   @Test

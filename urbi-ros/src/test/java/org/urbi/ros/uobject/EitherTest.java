@@ -13,9 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.Kernel;
@@ -28,7 +26,7 @@ import org.urbi.ros.rtps.Neighbourhood;
 import org.urbi.ros.rtps.Peer;
 
 /** A script that only uses topics and services says the same with ROS 1 and ROS 2. */
-class EitherTest {
+class EitherTest extends ScriptsFixture {
   private static final Path ORACLES = Path.of("src/test/oracles").toAbsolutePath();
 
   private static final List<String> SAID =
@@ -67,14 +65,7 @@ class EitherTest {
           "came and went",
           "done");
 
-  @TempDir static Path folder;
-
   private final BlockingQueue<String> output = new LinkedBlockingQueue<>();
-
-  @BeforeAll
-  static void writeModule() throws Exception {
-    RosJar.writeTo(folder);
-  }
 
   private Kernel kernel() {
     return Kernel.builder()

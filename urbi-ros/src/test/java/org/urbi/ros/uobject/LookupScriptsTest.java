@@ -2,22 +2,12 @@ package org.urbi.ros.uobject;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.urbi.ros.rtps.Neighbourhood;
 import org.urbi.ros.rtps.Peer;
 
 /** Where frames are, in urbiscript. */
-class LookupScriptsTest {
-  @TempDir static Path folder;
-
-  @BeforeAll
-  static void writeModule() throws Exception {
-    RosJar.writeTo(folder);
-  }
-
+class LookupScriptsTest extends ScriptsFixture {
   @Test
   void framesOfOthers() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
