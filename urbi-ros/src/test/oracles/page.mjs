@@ -43,5 +43,10 @@ ours.advertise((goal, id) => {
 const said = new Topic({ ros, name: '/said', messageType: 'std_msgs/String' });
 said.advertise();
 said.publish({ data: 'by a page' });
+const shapes = new Topic({ ros, name: '/shapes', messageType: 'test_msgs/UnboundedSequences', compression: 'cbor' });
+const shape = await new Promise((done) => shapes.subscribe(done));
+for (const [name, value] of Object.entries(shape))
+  if (name.endsWith('_default')) say('cbor', name.split('_')[0], value.constructor.name, String(value));
+say('cbor', JSON.stringify(shape.basic_types_values));
 say('ready');
 process.stdin.on('data', () => process.exit(0));

@@ -50,8 +50,8 @@ final class BridgeClient implements AutoCloseable {
 
   private void write() {
     try {
-      for (String text = outbox.take(); text != null; text = outbox.take()) {
-        socket.send(text);
+      for (WebSocket.Frame next = outbox.take(); next != null; next = outbox.take()) {
+        socket.send(next);
       }
     } catch (IOException e) {
       // The one who reads notices.

@@ -3,6 +3,7 @@ package org.urbi.ros.bridge;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.bridge.WebSocket.Frame;
 
 /**
  * What waits to be sent to a client. Of messages of a topic the oldest are dropped when there are
@@ -12,30 +13,30 @@ final class Outbox {
   /** Messages of all topics together that wait at most. */
   private static final int MOST = 1000;
 
-  /** Characters that wait at most. */
+  /** Bytes that wait at most. */
   private static final long LARGEST = 64L << 20;
 
-  private record Entry(String text, @Nullable Object topic) {}
+  private record Entry(Frame frame, @Nullable Object topic) {}
 
   private final Deque<Entry> waiting = new ArrayDeque<>();
   private long size;
   private boolean closed;
 
   /** An answer; false if there is no room for it: the client does not read. */
-  synchronized boolean answer(String text) {
-    if (size + text.length() > LARGEST) {
+  synchronized boolean answer(Frame frame) {
+    if (size + frame.size() > LARGEST) {
       dropTopics();
     }
-    if (waiting.size() >= 2 * MOST || size + text.length() > LARGEST) {
+    if (waiting.size() >= 2 * MOST || size + frame.size() > LARGEST) {
       return false;
     }
-    add(new Entry(text, null));
+    add(new Entry(frame, null));
     return true;
   }
 
   private void dropTopics() {
     waiting.removeIf(each -> each.topic() != null);
-    size = waiting.stream().mapToLong(each -> each.text().length()).sum();
+    size = waiting.stream().mapToLong(each -> each.frame().size()).sum();
   }
 
   /**
@@ -44,20 +45,20 @@ final class Outbox {
    * @param topic which of the subscriptions it is
    * @param most how many of that wait at most; 0 for no limit of its own
    */
-  synchronized void publish(String text, Object topic, int most) {
+  synchronized void publish(Frame frame, Object topic, int most) {
     int own = 0;
     int all = 0;
     for (Entry each : waiting) {
       own += each.topic() == topic ? 1 : 0;
       all += each.topic() != null ? 1 : 0;
     }
-    while (own > 0 && (most > 0 && own >= most || all >= MOST || size + text.length() > LARGEST)) {
+    while (own > 0 && (most > 0 && own >= most || all >= MOST || size + frame.size() > LARGEST)) {
       dropOldest(topic);
       own--;
       all--;
     }
-    if (all < MOST && size + text.length() <= LARGEST) {
-      add(new Entry(text, topic));
+    if (all < MOST && size + frame.size() <= LARGEST) {
+      add(new Entry(frame, topic));
     }
   }
 
@@ -66,7 +67,7 @@ final class Outbox {
       Entry each = all.next();
       if (each.topic() == topic) {
         all.remove();
-        size -= each.text().length();
+        size -= each.frame().size();
         return;
       }
     }
@@ -75,13 +76,13 @@ final class Outbox {
   private void add(Entry entry) {
     if (!closed) {
       waiting.addLast(entry);
-      size += entry.text().length();
+      size += entry.frame().size();
       notifyAll();
     }
   }
 
   /** The next one; waits until there is one. Null when it is closed. */
-  synchronized @Nullable String take() throws InterruptedException {
+  synchronized @Nullable Frame take() throws InterruptedException {
     while (waiting.isEmpty() && !closed) {
       wait();
     }
@@ -89,8 +90,8 @@ final class Outbox {
     if (next == null) {
       return null;
     }
-    size -= next.text().length();
-    return next.text();
+    size -= next.frame().size();
+    return next.frame();
   }
 
   /** Nothing more is sent. */

@@ -8,7 +8,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.RosException;
 
-/** What a client is told: as texts, in pieces or in a PNG if it has asked for that. */
+/** What a client is told: as texts, in pieces, in a PNG or in CBOR if it has asked for that. */
 final class Replies {
   private static final List<String> LEVELS = List.of("info", "warning", "error", "none");
 
@@ -72,7 +72,7 @@ final class Replies {
   }
 
   void answer(String text) {
-    if (!outbox.answer(text)) {
+    if (!outbox.answer(WebSocket.Frame.text(text))) {
       letGo.run();
     }
   }
@@ -81,7 +81,12 @@ final class Replies {
   void publish(Map<String, @Nullable Object> message, Operation asked, Object subscription) {
     List<String> pieces = shaped(JsonWriter.text(message), asked);
     int most = asked.count("queue_length") * pieces.size();
-    pieces.forEach(piece -> outbox.publish(piece, subscription, most));
+    pieces.forEach(piece -> outbox.publish(WebSocket.Frame.text(piece), subscription, most));
+  }
+
+  /** The same, in CBOR. */
+  void publish(byte[] cbor, Operation asked, Object subscription) {
+    outbox.publish(WebSocket.Frame.binary(cbor), subscription, asked.count("queue_length"));
   }
 
   private List<String> shaped(String text, Operation asked) {

@@ -2,6 +2,7 @@ package org.urbi.ros.bridge;
 
 import java.util.Iterator;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
@@ -16,6 +17,8 @@ import urbi.UDictionary;
 /** The topics that one client hears, and those on which it speaks. */
 final class Topics implements AutoCloseable {
   private static final int MOST = 1000;
+  private static final String CBOR = "cbor";
+  private static final List<String> COMPRESSIONS = List.of("none", "png", CBOR);
 
   private final Node node;
   private final Replies replies;
@@ -115,9 +118,11 @@ final class Topics implements AutoCloseable {
       throw new BridgeException("too many subscriptions");
     }
     String compression = operation.text("compression");
-    if (!compression.isEmpty() && !compression.equals("none") && !compression.equals("png")) {
+    if (!compression.isEmpty() && !COMPRESSIONS.contains(compression)) {
       replies.status(
-          "warning", "compression '" + compression + "' is not known: none or png", operation.id());
+          "warning",
+          "compression '" + compression + "' is not known: " + String.join(", ", COMPRESSIONS),
+          operation.id());
     }
     Heard made = new Heard(topic, operation, type);
     Heard before = heard.put(key(operation.id(), topic), made);
@@ -194,6 +199,11 @@ final class Topics implements AutoCloseable {
       }
       begun = true;
       next = now + pause;
+      if (operation.text("compression").equals(CBOR)) {
+        String name = operation.text("topic");
+        replies.publish(CborMessages.publication(name, message, known), operation, this);
+        return;
+      }
       Map<String, @Nullable Object> out = new LinkedHashMap<>();
       out.put("op", "publish");
       out.put("topic", operation.text("topic"));

@@ -13,11 +13,11 @@ import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The server's end of a WebSocket (RFC 6455) of texts. One thread reads; any may write. Memory is
- * taken for what has come, never for what is announced.
+ * The server's end of a WebSocket (RFC 6455), to which texts come. One thread reads; any may write.
+ * Memory is taken for what has come, never for what is announced.
  */
 final class WebSocket implements AutoCloseable {
-  /** Characters of a message of ours, and bytes of one of theirs. */
+  /** Bytes of a message of theirs. */
   static final int LONGEST = 32 << 20;
 
   /** A client that says nothing for so many milliseconds is asked, and then let go. */
@@ -180,9 +180,24 @@ final class WebSocket implements AutoCloseable {
     }
   }
 
+  /** A message of ours. */
+  record Frame(int kind, byte[] payload) {
+    static Frame text(String text) {
+      return new Frame(TEXT, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    static Frame binary(byte[] bytes) {
+      return new Frame(BINARY, bytes);
+    }
+
+    int size() {
+      return payload.length;
+    }
+  }
+
   /** Sends a message; waits until the system has taken it. */
-  void send(String text) throws IOException {
-    write(TEXT, text.getBytes(StandardCharsets.UTF_8));
+  void send(Frame message) throws IOException {
+    write(message.kind, message.payload);
   }
 
   private void write(int kind, byte[] payload) throws IOException {

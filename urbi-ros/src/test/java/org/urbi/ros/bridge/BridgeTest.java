@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -24,11 +23,14 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.urbi.ros.Awaited;
+import org.urbi.ros.Lines;
 import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.ActionServer;
 import org.urbi.ros.graph.GoalStatus;
@@ -56,6 +58,28 @@ class BridgeTest {
   private static final Path TYPES =
       Path.of("src/test/resources/org/urbi/ros").toAbsolutePath().normalize();
 
+  /** What a page sees of arrays that come in CBOR. */
+  private static final List<String> SHAPES =
+      List.of(
+          "cbor bool Array false,true,false",
+          "cbor byte Uint8Array 0,1,255",
+          "cbor char Uint8Array 0,1,127",
+          "cbor float32 Float32Array 1.125,0,-1.125",
+          "cbor float64 Float64Array 3.1415,0,-3.1415",
+          "cbor int8 Int8Array 0,127,-128",
+          "cbor uint8 Uint8Array 0,1,255",
+          "cbor int16 Int16Array 0,32767,-32768",
+          "cbor uint16 Uint16Array 0,1,65535",
+          "cbor int32 Int32Array 0,2147483647,-2147483648",
+          "cbor uint32 Uint32Array 0,1,4294967295",
+          "cbor int64 BigInt64Array 0,9223372036854775807,-9223372036854775808",
+          "cbor uint64 BigUint64Array 0,1,18446744073709551615",
+          "cbor string Array ,max value,min value",
+          "cbor [{\"bool_value\":true,\"byte_value\":0,\"char_value\":0,\"float32_value\":0,"
+              + "\"float64_value\":0.5,\"int8_value\":0,\"uint8_value\":0,\"int16_value\":-300,"
+              + "\"uint16_value\":0,\"int32_value\":0,\"uint32_value\":0,\"int64_value\":-24,"
+              + "\"uint64_value\":1099511627776}]");
+
   private static final String KEY = "dGhlIHNhbXBsZSBub25jZQ==";
   private static final String TOKEN = "a token that is long enough";
   private static final BlockingQueue<String> told = new LinkedBlockingQueue<>();
@@ -81,6 +105,7 @@ class BridgeTest {
     Publisher chatter =
         node.advertise("/chatter", string, Qos.LATCHED, new Publisher.Listener() {});
     chatter.publish(Templates.of(string).with("data", "hel\"lo\n\u00e4\u20ac"));
+    publishShapes();
     setBool = node.definitions().service("std_srvs/SetBool");
     node.serve(
         "/flip",
@@ -94,6 +119,20 @@ class BridgeTest {
     node.actions().serve("/count", fibonacci, new Counting());
     node.subscribe(
         "/said", string, Qos.DEFAULT, message -> said.add(message.get("data").stringValue()));
+  }
+
+  private static void publishShapes() {
+    MessageType shapes = node.definitions().message("test_msgs/UnboundedSequences");
+    UDictionary basic =
+        Templates.of(node.definitions().message("test_msgs/BasicTypes"))
+            .with("bool_value", true)
+            .with("float64_value", 0.5)
+            .with("int16_value", -300)
+            .with("int64_value", -24)
+            .with("uint64_value", 1L << 40);
+    UDictionary message = Templates.of(shapes);
+    message.put("basic_types_values", new UValue(UList.of(new UValue(basic))));
+    node.advertise("/shapes", shapes, Qos.LATCHED, new Publisher.Listener() {}).publish(message);
   }
 
   private static UDictionary sequence(double... numbers) {
@@ -140,16 +179,15 @@ class BridgeTest {
 
   // ------------------------------------------------------------------ those who are meant
 
-  private static void talks(Runnable more, String... command) throws Exception {
+  private static void talks(Consumer<List<String>> more, String... command) throws Exception {
     assumeTrue(Files.exists(Path.of(command[0])), "no client: scripts/ros-peers.sh gets it");
     Process client =
         new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
-    try (BufferedReader lines = client.inputReader(StandardCharsets.UTF_8)) {
+    try {
+      Lines lines = new Lines(client.inputReader(StandardCharsets.UTF_8));
       List<String> all = new ArrayList<>();
       while (all.isEmpty() || !all.getLast().equals("ready")) {
-        String line = lines.readLine();
-        assertTrue(line != null, all::toString);
-        all.add(line);
+        all.add(lines.next());
       }
       assertEquals("topic std_msgs/msg/String", all.get(0));
       assertEquals("services true", all.get(1).toLowerCase(java.util.Locale.ROOT));
@@ -163,7 +201,7 @@ class BridgeTest {
       assertEquals("goal {\"sequence\":[0,1]} 1", all.get(8));
       assertTrue(all.get(9).endsWith(" 2") && all.get(9).contains("7"), all.get(9));
       assertTrue(all.get(10).contains("/count refuses the goal"), all.get(10));
-      assertEquals("by a page", said.take());
+      assertEquals("by a page", Awaited.next(said, all));
       try (ServiceClient page = node.client("/page", setBool, false).join()) {
         assertEquals(
             "a page",
@@ -172,13 +210,11 @@ class BridgeTest {
                 .get("message")
                 .stringValue());
       }
-      more.run();
+      more.accept(all);
     } finally {
       client.destroyForcibly().waitFor();
     }
-    while (bridge.clients() > 0) {
-      Thread.sleep(10);
-    }
+    Awaited.until("the client is gone", () -> bridge.clients() == 0);
   }
 
   /** A page pursues goals of others. */
@@ -210,7 +246,10 @@ class BridgeTest {
     Path library = PEERS.resolve("roslib");
     assumeTrue(Files.exists(library), "no roslib: scripts/ros-peers.sh gets it");
     talks(
-        BridgeTest::pursues,
+        all -> {
+          assertEquals(SHAPES, all.stream().filter(each -> each.startsWith("cbor")).toList());
+          pursues();
+        },
         "/usr/bin/node",
         ORACLES.resolve("page.mjs").toString(),
         library.toString(),
@@ -219,7 +258,7 @@ class BridgeTest {
 
   @Test
   void roslibpy() throws Exception {
-    talks(() -> {}, PEERS + "/bridge/bin/python", ORACLES.resolve("page.py").toString(), port());
+    talks(all -> {}, PEERS + "/bridge/bin/python", ORACLES.resolve("page.py").toString(), port());
   }
 
   private static String port() {
