@@ -4,13 +4,17 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 
 /** What tests wait for: so long that no busy machine is blamed, but not for ever. */
 public final class Awaited {
   private static final int SECONDS = 60;
 
   private Awaited() {}
+
+  /** The next one of a queue. */
+  public static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
+    return next(queue, "nothing");
+  }
 
   /** The next one of a queue; if none comes, {@code seen} is told. */
   public static <T> T next(BlockingQueue<T> queue, Object seen) throws InterruptedException {
@@ -21,13 +25,9 @@ public final class Awaited {
     return next;
   }
 
-  /** What is promised. */
-  public static <T> T value(CompletableFuture<T> promise) throws Exception {
-    try {
-      return promise.get(SECONDS, TimeUnit.SECONDS);
-    } catch (TimeoutException e) {
-      throw new AssertionError("not kept within " + SECONDS + " s: " + promise, e);
-    }
+  /** What is promised; throws what {@link CompletableFuture#join} throws. */
+  public static <T> T value(CompletableFuture<T> promise) {
+    return promise.copy().orTimeout(SECONDS, TimeUnit.SECONDS).join();
   }
 
   /** Waits until that holds: of programs that tell nobody when it does. */

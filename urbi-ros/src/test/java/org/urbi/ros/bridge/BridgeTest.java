@@ -202,11 +202,10 @@ class BridgeTest {
       assertTrue(all.get(9).endsWith(" 2") && all.get(9).contains("7"), all.get(9));
       assertTrue(all.get(10).contains("/count refuses the goal"), all.get(10));
       assertEquals("by a page", Awaited.next(said, all));
-      try (ServiceClient page = node.client("/page", setBool, false).join()) {
+      try (ServiceClient page = Awaited.value(node.client("/page", setBool, false))) {
         assertEquals(
             "a page",
-            page.request(Templates.of(setBool.request()).with("data", true))
-                .join()
+            Awaited.value(page.request(Templates.of(setBool.request()).with("data", true)))
                 .get("message")
                 .stringValue());
       }
@@ -219,7 +218,7 @@ class BridgeTest {
 
   /** A page pursues goals of others. */
   private static void pursues() {
-    try (ActionClient client = node.actions().client("/page_count", fibonacci).join()) {
+    try (ActionClient client = Awaited.value(node.actions().client("/page_count", fibonacci))) {
       BlockingQueue<UDictionary> steps = new LinkedBlockingQueue<>();
       ActionClient.Listener listener =
           new ActionClient.Listener() {
@@ -229,15 +228,17 @@ class BridgeTest {
             }
           };
       ActionClient.Outcome reached =
-          client.send(new UDictionary().with("order", 3), listener).outcome().join();
+          Awaited.value(client.send(new UDictionary().with("order", 3), listener).outcome());
       assertEquals(new ActionClient.Outcome(GoalStatus.SUCCEEDED, sequence(0, 3)), reached);
       assertEquals(
           GoalStatus.ABORTED,
-          client.send(new UDictionary().with("order", -1), listener).outcome().join().status());
+          Awaited.value(client.send(new UDictionary().with("order", -1), listener).outcome())
+              .status());
       ActionClient.Goal waiting = client.send(new UDictionary().with("order", 100), listener);
-      assertTrue(waiting.cancel().join());
+      assertTrue(Awaited.value(waiting.cancel()));
       assertEquals(
-          new ActionClient.Outcome(GoalStatus.CANCELED, sequence(7)), waiting.outcome().join());
+          new ActionClient.Outcome(GoalStatus.CANCELED, sequence(7)),
+          Awaited.value(waiting.outcome()));
     }
   }
 
@@ -456,13 +457,12 @@ class BridgeTest {
       client.text(
           "{\"op\":\"advertise_service\",\"service\":\"/gone\",\"type\":\"std_srvs/SetBool\"}");
       client.frame(0x81, 1000, new byte[10]);
-      while (!node.graph().join().services().containsKey("/gone")) {
-        Thread.sleep(10);
-      }
+      Awaited.until("/gone", () -> Awaited.value(node.graph()).services().containsKey("/gone"));
     }
-    while (bridge.clients() > 0 || node.graph().join().services().containsKey("/gone")) {
-      Thread.sleep(10);
-    }
+    Awaited.until(
+        "no client, no service",
+        () ->
+            bridge.clients() == 0 && !Awaited.value(node.graph()).services().containsKey("/gone"));
   }
 
   @Test
@@ -511,9 +511,9 @@ class BridgeTest {
       client.upgrade("/");
       client.text(
           "{\"op\":\"send_action_goal\",\"action\":\"/count\",\"id\":\"g\",\"args\":{\"order\":500}}");
-      given.take();
+      Awaited.next(given);
     }
-    assertEquals(500, cancelled.take().request().get("order").doubleValue());
+    assertEquals(500, Awaited.next(cancelled).request().get("order").doubleValue());
   }
 
   @Test
@@ -523,7 +523,7 @@ class BridgeTest {
       client.upgrade("/");
       client.text(
           "{\"op\":\"advertise_action\",\"action\":\"/fleeting\",\"type\":\"test_msgs/Fibonacci\"}");
-      ActionClient ours = node.actions().client("/fleeting", fibonacci).join();
+      ActionClient ours = Awaited.value(node.actions().client("/fleeting", fibonacci));
       outcome =
           ours.send(new UDictionary().with("order", 1), new ActionClient.Listener() {}).outcome();
       String goal = client.answer();
@@ -535,9 +535,9 @@ class BridgeTest {
     }
     // It is told, or the server has gone before: what is sure is that nobody waits for ever.
     GoalStatus status =
-        outcome
-            .handle((ended, failure) -> failure == null ? ended.status() : GoalStatus.ABORTED)
-            .join();
+        Awaited.value(
+            outcome.handle(
+                (ended, failure) -> failure == null ? ended.status() : GoalStatus.ABORTED));
     assertEquals(GoalStatus.ABORTED, status);
   }
 

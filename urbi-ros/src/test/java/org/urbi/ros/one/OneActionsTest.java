@@ -13,10 +13,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -112,7 +111,7 @@ class OneActionsTest {
     environment.put(
         "ROS_PACKAGE_PATH", Path.of("src/test/oracles/share").toAbsolutePath().toString());
     node = OneNode.start(OneSettings.of(environment, "/tested", Map.of()), present -> {});
-    Awaited.until("there is a master", () -> node.reachable().join());
+    Awaited.until("there is a master", () -> Awaited.value(node.reachable()));
   }
 
   @AfterEach
@@ -138,7 +137,7 @@ class OneActionsTest {
   }
 
   private void awaitAction(String name) throws Exception {
-    Awaited.until(name, () -> node.graph().join().actions().containsKey(name));
+    Awaited.until(name, () -> Awaited.value(node.graph()).actions().containsKey(name));
   }
 
   private ActionType type() {
@@ -146,7 +145,7 @@ class OneActionsTest {
   }
 
   private static <T> String failure(CompletableFuture<T> promise) {
-    return assertThrows(ExecutionException.class, () -> promise.get(60, TimeUnit.SECONDS))
+    return assertThrows(CompletionException.class, () -> Awaited.value(promise))
         .getCause()
         .getMessage();
   }
@@ -157,7 +156,7 @@ class OneActionsTest {
     awaitAction("/count");
     assertEquals(
         new ActionInfo("actionlib/Test", List.of("/goals")),
-        node.graph().join().actions().get("/count"));
+        Awaited.value(node.graph()).actions().get("/count"));
     ActionClient client = Awaited.value(node.actions().client("/count", null));
     assertEquals("actionlib/Test", client.type().name().in(node.version()));
     assertEquals(
@@ -218,8 +217,8 @@ class OneActionsTest {
     MessageType goalId = node.definitions().message("actionlib_msgs/GoalID");
     try (Publisher raw = node.advertise("/ours/goal", goalMessage, QOS, listens);
         Publisher cancel = node.advertise("/ours/cancel", goalId, QOS, listens)) {
-      Awaited.next(heard, "");
-      Awaited.next(heard, "");
+      Awaited.next(heard);
+      Awaited.next(heard);
       UDictionary same = Templates.of(goalMessage);
       same.get("goal_id").udictionaryValue().put("id", new UValue("same"));
       same.with("goal", goal(200));
@@ -267,8 +266,8 @@ class OneActionsTest {
             status.publish(Templates.of(array));
             return found.isDone();
           });
-      ActionClient.Goal sent = found.join().send(goal(1), listener);
-      UDictionary id = Awaited.next(goals, "").get("goal_id").udictionaryValue();
+      ActionClient.Goal sent = Awaited.value(found).send(goal(1), listener);
+      UDictionary id = Awaited.next(goals).get("goal_id").udictionaryValue();
       UDictionary ended = new UDictionary().with("goal_id", id).with("status", 3).with("text", "");
       UDictionary told = Templates.of(array);
       told.put("status_list", new UValue(new UList(List.of(new UValue(ended)))));

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.frames.FrameBuffer;
 import org.urbi.ros.frames.FrameListener;
 import org.urbi.ros.frames.Transform;
@@ -125,19 +126,19 @@ class OneNodeTest {
   void aTopicIsHeardWithoutItsTypeBeingKnown() throws InterruptedException {
     Heard heard = new Heard();
     try (Subscription chatter = node.subscribe("/chatter", null, Qos.DEFAULT, heard)) {
-      assertEquals("std_msgs/msg/String", heard.types.take().name().toString());
+      assertEquals("std_msgs/msg/String", Awaited.next(heard.types).name().toString());
       assertTrue(heard.text().startsWith("hello "));
       assertEquals(1, chatter.publishers());
     }
   }
 
   @Test
-  void whatIsSaidComesBack() throws InterruptedException {
+  void whatIsSaidComesBack() throws Exception {
     Heard heard = new Heard();
     BlockingQueue<String> told = new LinkedBlockingQueue<>();
     Subscription back = node.subscribe("/echo_out", type("std_msgs/String"), Qos.DEFAULT, heard);
     Publisher out = publisher("/echo_in", "std_msgs/String", Qos.DEFAULT, told);
-    assertEquals("+/peer", told.take());
+    assertEquals("+/peer", Awaited.next(told));
     awaitPublisher(back);
     assertEquals(1, out.subscribers());
     for (String each : new String[] {"", "äß漢 \"\\\n", "x".repeat(100_000)}) {
@@ -149,26 +150,24 @@ class OneNodeTest {
     assertThrows(RosException.class, () -> out.publish(text("")));
   }
 
-  private static void awaitPublisher(Subscription subscription) throws InterruptedException {
-    while (subscription.publishers() == 0) {
-      Thread.sleep(5);
-    }
+  private static void awaitPublisher(Subscription subscription) throws Exception {
+    Awaited.until("a publisher", () -> subscription.publishers() > 0);
   }
 
   @Test
-  void images() throws InterruptedException {
+  void images() throws Exception {
     Heard heard = new Heard();
     BlockingQueue<String> told = new LinkedBlockingQueue<>();
     Subscription back = node.subscribe("/image_size", type("std_msgs/UInt32"), Qos.DEFAULT, heard);
     Publisher out = publisher("/image_in", "sensor_msgs/Image", Qos.DEFAULT, told);
-    told.take();
+    Awaited.next(told);
     awaitPublisher(back);
     UDictionary image = Templates.of(out.type());
     byte[] data = new byte[64 * 48 * 3];
     data[5] = 7;
     image.put("data", new UValue(new UBinary(data)));
     out.publish(image);
-    assertEquals(data.length + 7, heard.messages.take().get("data").intValue());
+    assertEquals(data.length + 7, Awaited.next(heard.messages).get("data").intValue());
   }
 
   @Test
@@ -201,7 +200,7 @@ class OneNodeTest {
   void anotherVersionOfATypeIsTold() throws InterruptedException {
     Heard heard = new Heard();
     node.subscribe("/chatter", type("std_msgs/Int32"), Qos.DEFAULT, heard);
-    String reason = heard.failures.take();
+    String reason = Awaited.next(heard.failures);
     assertTrue(reason.contains("std_msgs/Int32"), reason);
     assertTrue(heard.messages.isEmpty());
     Publisher wrong =
@@ -211,7 +210,7 @@ class OneNodeTest {
         () -> publisher("/wrong", "std_msgs/String", Qos.DEFAULT, new LinkedBlockingQueue<>()));
     Heard own = new Heard();
     node.subscribe(wrong.topic(), type("std_msgs/String"), Qos.DEFAULT, own);
-    assertTrue(own.failures.take().contains("std_msgs/Int32"));
+    assertTrue(Awaited.next(own.failures).contains("std_msgs/Int32"));
   }
 
   @Test
@@ -226,12 +225,13 @@ class OneNodeTest {
       for (int i = 0; i < 2; i++) {
         CompletionException refused =
             assertThrows(
-                CompletionException.class, () -> failing.request(new UDictionary()).join());
+                CompletionException.class, () -> Awaited.value(failing.request(new UDictionary())));
         assertTrue(refused.getCause().getMessage().contains("no luck"), refused.getMessage());
       }
     }
     CompletionException none =
-        assertThrows(CompletionException.class, () -> node.client("/no_such", null, false).join());
+        assertThrows(
+            CompletionException.class, () -> Awaited.value(node.client("/no_such", null, false)));
     assertTrue(none.getCause() instanceof RosException, none.getMessage());
   }
 
@@ -261,9 +261,7 @@ class OneNodeTest {
   }
 
   private void awaitService(String name) throws Exception {
-    while (!node.graph().get().services().containsKey(name)) {
-      Thread.sleep(10);
-    }
+    Awaited.until(name, () -> node.graph().get().services().containsKey(name));
   }
 
   @Test
@@ -271,9 +269,9 @@ class OneNodeTest {
     node.subscribe("/chatter", null, Qos.DEFAULT, new Heard());
     BlockingQueue<GraphSnapshot> seen = new LinkedBlockingQueue<>();
     Runnable end = node.watch(seen::add);
-    GraphSnapshot graph = seen.take();
+    GraphSnapshot graph = Awaited.next(seen);
     while (!graph.nodes().containsKey("/tested")) {
-      graph = seen.take();
+      graph = Awaited.next(seen);
     }
     end.run();
     assertTrue(graph.nodes().get("/peer").publishes().contains("/chatter"));
@@ -294,7 +292,7 @@ class OneNodeTest {
     clock.publish(new UDictionary().with("clock", Templates.instant(42, 500)));
     assertTrue(node.now() > 1e18, "years after 1970");
     node.parameters().set("/use_sim_time", new UValue(true)).get();
-    while (node.now() != 42_000_000_500L) Thread.sleep(1);
+    Awaited.until("the time", () -> node.now() == 42_000_000_500L);
     node.parameters().set("/use_sim_time", new UValue(false)).get();
     assertTrue(node.now() > 1e18);
     node.parameters().delete("/use_sim_time").get();
@@ -326,9 +324,9 @@ class OneNodeTest {
         UValue.parse("[\"n\" => 5, \"x\" => 0.5, \"s\" => \"a<&\\\"b\", \"l\" => [1, \"2\"]]");
     parameters.set("/shared", value).get();
     assertEquals(value, parameters.get("/shared").get());
-    UValue told = seen.take();
+    UValue told = Awaited.next(seen);
     while (!told.equals(value)) {
-      told = seen.take();
+      told = Awaited.next(seen);
     }
     try (RosProcess get = RosProcess.start(port, logs, "rosparam", "get", "/shared/s")) {
       assertEquals("a<&\"b", get.all());
@@ -336,6 +334,6 @@ class OneNodeTest {
     assertTrue(parameters.names().get().contains("/shared/x"));
     parameters.delete("/shared").get();
     assertEquals(false, parameters.has("/shared").get());
-    assertThrows(CompletionException.class, () -> parameters.get("/shared").join());
+    assertThrows(CompletionException.class, () -> Awaited.value(parameters.get("/shared")));
   }
 }

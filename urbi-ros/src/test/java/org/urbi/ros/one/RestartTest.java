@@ -14,6 +14,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
@@ -46,9 +47,9 @@ class RestartTest {
         OneNode.start(
             OneSettings.of(RosProcess.environment(port), "tested", Map.of()), presence::add);
     try {
-      assertEquals(false, presence.take());
+      assertEquals(false, Awaited.next(presence));
       assertEquals(false, node.reachable().get());
-      assertThrows(CompletionException.class, () -> node.graph().join());
+      assertThrows(CompletionException.class, () -> Awaited.value(node.graph()));
       Heard heard = new Heard();
       Subscription chatter = node.subscribe("chatter", null, Qos.DEFAULT, heard);
       node.advertise(
@@ -63,7 +64,7 @@ class RestartTest {
       for (int i = 0; i < 2; i++) {
         try (RosProcess master = RosProcess.master(port, logs);
             RosProcess peer = peer(port)) {
-          assertEquals(true, presence.take());
+          assertEquals(true, Awaited.next(presence));
           heard.messages.clear();
           assertTrue(heard.text().startsWith("hello"));
           var graph = node.graph().get();
@@ -72,10 +73,8 @@ class RestartTest {
           }
           assertEquals("std_msgs/String", graph.topics().get("/ours").type());
         }
-        assertEquals(false, presence.take());
-        while (chatter.publishers() > 0) {
-          Thread.sleep(5);
-        }
+        assertEquals(false, Awaited.next(presence));
+        Awaited.until("no publisher", () -> chatter.publishers() == 0);
       }
       assertTrue(heard.failures.isEmpty(), heard.failures::toString);
     } finally {
@@ -109,20 +108,20 @@ class RestartTest {
             });
         node.subscribe("/chatter", null, Qos.DEFAULT, heard);
         try (RosProcess peer = peer(port)) {
-          assertEquals("+/peer", told.take());
+          assertEquals("+/peer", Awaited.next(told));
           heard.text();
           client = node.client("/set_bool", null, true).get();
           client.request(new UDictionary().with("data", true)).get();
         }
-        assertEquals("-/peer", told.take());
+        assertEquals("-/peer", Awaited.next(told));
         CompletionException gone =
             assertThrows(
                 CompletionException.class,
-                () -> client.request(new UDictionary().with("data", true)).join());
+                () -> Awaited.value(client.request(new UDictionary().with("data", true))));
         assertTrue(gone.getCause() instanceof RosException, gone.getMessage());
         heard.messages.clear();
         try (RosProcess peer = peer(port)) {
-          assertEquals("+/peer", told.take());
+          assertEquals("+/peer", Awaited.next(told));
           heard.text();
           client.request(new UDictionary().with("data", true)).get();
         }

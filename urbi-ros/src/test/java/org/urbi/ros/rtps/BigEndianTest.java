@@ -83,14 +83,14 @@ class BigEndianTest {
       begin().data(0x000003c2, 1, this::describeWriter);
       heartbeat(0x000003c7, 0x000003c2, 1, 1, 1);
       socket.send(out.flip(), discovery);
-      receiving.matched.await();
+      receiving.awaitMatched();
       EndpointInfo info = participant.endpoints().getFirst();
       assertArrayEquals("hi".getBytes(StandardCharsets.UTF_8), info.userData());
       assertEquals(1_500_000_000L, info.qos().deadline());
       begin().heartbeat(reader.guid().entity(), WRITER, 1, 0, 1);
       data(WRITER, 1, () -> out.putInt(0).putInt(77));
       socket.send(out.flip(), participant.info().user().getFirst());
-      Sample sample = receiving.samples.take();
+      Sample sample = receiving.next();
       assertEquals(77, sample.payload().getInt(4));
       assertEquals(1, sample.identity().sequence());
     }

@@ -164,8 +164,8 @@ class HostileDatagramsTest {
     target.writer("rt/y", TYPE, ALL, NO_DATA, new Sending());
     target.reader("rt/y", TYPE, ALL, NO_DATA, new Receiving(true));
     peer.writer("rt/x", TYPE, ALL, NO_DATA, sending);
-    sending.matched.await();
-    receiving.matched.await();
+    sending.awaitMatched();
+    receiving.awaitMatched();
     // With the peer's name, so that it concerns what the target has.
     Random random = new Random(43);
     List<byte[]> valid = new ArrayList<>(valid(peer.info().prefix()));
@@ -180,9 +180,9 @@ class HostileDatagramsTest {
     Participant late = domain.open();
     target.reader("rt/z", TYPE, ALL, NO_DATA, afterwards);
     Writer lateWriter = late.writer("rt/z", TYPE, ALL, NO_DATA, honest);
-    honest.matched.await();
+    honest.awaitMatched();
     lateWriter.write(payload(1, 500_000));
-    assertTrue(Neighbourhood.isPayload(afterwards.samples.take().payload(), 1, 500_000));
+    assertTrue(Neighbourhood.isPayload(afterwards.next().payload(), 1, 500_000));
     writer.close();
     domain.close();
   }

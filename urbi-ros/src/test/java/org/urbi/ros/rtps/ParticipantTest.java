@@ -134,7 +134,7 @@ class ParticipantTest {
       link.cut(true);
       writer.write(payload(2, 100));
       // So soon after the first one, it may wait for more.
-      while (link.lost() == 0) Thread.onSpinWait();
+      Awaited.until("a loss", () -> link.lost() > 0);
       link.cut(false);
       writer.write(payload(3, 200_000));
       assertTrue(isPayload(receiving.next().payload(), 3, 200_000));
@@ -159,7 +159,7 @@ class ParticipantTest {
       other.reader("rt/x", TYPE, EndpointQos.bestEffort(10).asTransientLocal(), NO_DATA, effort);
       other.reader("rt/x", TYPE, EndpointQos.reliable(10), NO_DATA, fresh);
       for (int i = 8; i <= 10; i++) assertEquals(i, late.next().identity().sequence());
-      while (writer.matched().size() < 3) Thread.onSpinWait();
+      Awaited.until("three readers", () -> writer.matched().size() >= 3);
       writer.write(payload(11, 50));
       assertEquals(11, fresh.next().identity().sequence());
       assertEquals(11, late.next().identity().sequence());
@@ -265,8 +265,8 @@ class ParticipantTest {
     Receiving receiving = new Receiving(true);
     one.writer(topic, TYPE, offered, NO_DATA, sending);
     two.reader(topic, TYPE, requested, NO_DATA, receiving);
-    assertEquals(policy, Awaited.next(sending.hindered, ""));
-    assertEquals(policy, Awaited.next(receiving.events, ""));
+    assertEquals(policy, Awaited.next(sending.hindered));
+    assertEquals(policy, Awaited.next(receiving.events));
   }
 
   @Test
@@ -293,7 +293,7 @@ class ParticipantTest {
       assertTrue(writer.awaitAcknowledged(LONG), "nobody is waited for who is gone");
       assertEquals(0, survivor.participants().size());
       link.cut(false);
-      while (survivor.endpoints().size() < 2) Thread.sleep(1);
+      Awaited.until("both endpoints", () -> survivor.endpoints().size() >= 2);
     }
   }
 
@@ -380,7 +380,7 @@ class ParticipantTest {
       Participant second = domain.open(domain.options(), name, new Link(0, 0));
       Sending again = new Sending();
       Writer reborn = second.writer("rt/x", TYPE, ALL, NO_DATA, again);
-      again.matched.await();
+      again.awaitMatched();
       for (int i = 100; i < 110; i++) reborn.write(payload(i, 40));
       for (int i = 100; i < 110; i++) assertTrue(isPayload(receiving.next().payload(), i, 40));
     }

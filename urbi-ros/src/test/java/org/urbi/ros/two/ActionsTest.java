@@ -16,6 +16,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.ActionServer;
 import org.urbi.ros.graph.GoalStatus;
@@ -96,10 +97,10 @@ class ActionsTest {
     }
   }
 
-  private static ActionClient client(TwoNode node, String name) throws InterruptedException {
+  private static ActionClient client(TwoNode node, String name) throws Exception {
     // A busy machine may take longer to tell of it than is waited for what need not be there.
-    while (!node.graph().join().actions().containsKey(name)) Thread.sleep(1);
-    return node.actions().client(name, null).join();
+    Awaited.until(name, () -> Awaited.value(node.graph()).actions().containsKey(name));
+    return Awaited.value(node.actions().client(name, null));
   }
 
   private static <T> String failure(CompletableFuture<T> promise) {
@@ -118,24 +119,25 @@ class ActionsTest {
       assertEquals("test_msgs/action/Fibonacci", client.type().name().toString());
       Progress progress = new Progress();
       ActionClient.Goal five = client.send(goal(5), progress);
-      five.accepted().join();
+      Awaited.value(five.accepted());
       assertEquals(
           new ActionClient.Outcome(GoalStatus.SUCCEEDED, sequence(0, 1, 1, 2, 3, 5)),
-          five.outcome().join());
-      for (int i = 0; i < 4; i++) progress.feedbacks.take();
+          Awaited.value(five.outcome()));
+      for (int i = 0; i < 4; i++) Awaited.next(progress.feedbacks);
       assertTrue(progress.feedbacks.isEmpty());
-      assertEquals(GoalStatus.ACCEPTED, progress.statuses.take());
+      assertEquals(GoalStatus.ACCEPTED, Awaited.next(progress.statuses));
       assertEquals(
           "/fibonacci refuses the goal", failure(client.send(goal(-1), progress).outcome()));
-      assertEquals(GoalStatus.ABORTED, client.send(goal(0), progress).outcome().join().status());
+      assertEquals(
+          GoalStatus.ABORTED, Awaited.value(client.send(goal(0), progress).outcome()).status());
       assertThrows(
           ValueException.class, () -> client.send(new UDictionary().with("order", "x"), progress));
       ActionClient.Goal endless = client.send(goal(40), progress);
-      progress.feedbacks.take();
-      assertTrue(endless.cancel().join());
+      Awaited.next(progress.feedbacks);
+      assertTrue(Awaited.value(endless.cancel()));
       peer.expect("cancelled");
-      assertEquals(GoalStatus.CANCELED, endless.outcome().join().status());
-      assertTrue(endless.cancel().join(), "what has ended needs not be given up");
+      assertEquals(GoalStatus.CANCELED, Awaited.value(endless.outcome()).status());
+      assertTrue(Awaited.value(endless.cancel()), "what has ended needs not be given up");
       peer.kill();
     }
   }
@@ -167,9 +169,9 @@ class ActionsTest {
       ActionClient client = client(node, "/fibonacci");
       Progress progress = new Progress();
       ActionClient.Goal goal = client.send(goal(10), progress);
-      progress.feedbacks.take();
-      assertFalse(goal.cancel().join());
-      assertEquals(GoalStatus.SUCCEEDED, goal.outcome().join().status());
+      Awaited.next(progress.feedbacks);
+      assertFalse(Awaited.value(goal.cancel()));
+      assertEquals(GoalStatus.SUCCEEDED, Awaited.value(goal.outcome()).status());
       peer.kill();
     }
   }
@@ -184,7 +186,7 @@ class ActionsTest {
       ActionServer server = node.actions().serve("fibonacci", fibonacci(node), goals);
       assertEquals("/fibonacci", server.action());
       peer.say("goal /fibonacci 3");
-      ActionServer.Goal three = goals.accepted.take();
+      ActionServer.Goal three = Awaited.next(goals.accepted);
       assertEquals(3, three.request().get("order").doubleValue());
       three.feedback(sequence(0, 1));
       assertThrows(ValueException.class, () -> three.feedback(new UDictionary()));
@@ -195,17 +197,17 @@ class ActionsTest {
       peer.say("goal /fibonacci -1");
       peer.expect("refused");
       peer.say("cancel /fibonacci 7");
-      ActionServer.Goal unwanted = goals.accepted.take();
+      ActionServer.Goal unwanted = Awaited.next(goals.accepted);
       unwanted.feedback(sequence(0));
-      assertEquals(unwanted, goals.cancelled.take());
+      assertEquals(unwanted, Awaited.next(goals.cancelled));
       unwanted.end(GoalStatus.CANCELED, sequence(8));
       peer.expect("0 1 5 [8]");
       peer.say("late /fibonacci 2");
-      goals.accepted.take().end(GoalStatus.CANCELED, sequence(9));
+      Awaited.next(goals.accepted).end(GoalStatus.CANCELED, sequence(9));
       peer.expect("6 [9]");
       // A client that has gone leaves its goal behind, as in ROS 2 everywhere.
       peer.say("vanish /fibonacci 4");
-      ActionServer.Goal left = goals.accepted.take();
+      ActionServer.Goal left = Awaited.next(goals.accepted);
       peer.expect("vanishing");
       left.feedback(sequence(1));
       left.end(GoalStatus.SUCCEEDED, sequence(1));
@@ -224,31 +226,30 @@ class ActionsTest {
       ActionClient client = client(two, "/f");
       ActionClient.Goal first = client.send(goal(1), new Progress());
       ActionClient.Goal second = client.send(goal(2), new Progress());
-      first.accepted().join();
-      second.accepted().join();
+      Awaited.value(first.accepted());
+      Awaited.value(second.accepted());
       ServiceType cancelGoal = two.definitions().service("action_msgs/CancelGoal");
-      ServiceClient cancel = two.client("/f" + TwoActions.CANCEL_GOAL, cancelGoal, true).join();
-      UDictionary all = cancel.request(Templates.of(cancel.type().request())).join();
+      ServiceClient cancel =
+          Awaited.value(two.client("/f" + TwoActions.CANCEL_GOAL, cancelGoal, true));
+      UDictionary all = Awaited.value(cancel.request(Templates.of(cancel.type().request())));
       assertEquals(2, all.get("goals_canceling").ulistValue().size());
-      assertEquals(goals.accepted.take(), goals.cancelled.take());
+      assertEquals(Awaited.next(goals.accepted), Awaited.next(goals.cancelled));
       UDictionary unknown = Templates.of(cancel.type().request());
       UDictionary nobody = GoalIds.message(new UUID(1, 1));
       unknown.get("goal_info").udictionaryValue().put("goal_id", nobody);
       assertEquals(
           TwoActions.ERROR_UNKNOWN_GOAL_ID,
-          cancel.request(unknown).join().get("return_code").intValue());
+          Awaited.value(cancel.request(unknown)).get("return_code").intValue());
       ServiceClient results =
-          two.client("/f" + TwoActions.GET_RESULT, fibonacci(two).getResult(), true).join();
+          Awaited.value(two.client("/f" + TwoActions.GET_RESULT, fibonacci(two).getResult(), true));
       assertEquals(
           0,
-          results
-              .request(new UDictionary().with("goal_id", nobody))
-              .join()
+          Awaited.value(results.request(new UDictionary().with("goal_id", nobody)))
               .get("status")
               .intValue());
       server.close();
-      assertEquals(GoalStatus.ABORTED, first.outcome().join().status());
-      assertEquals(GoalStatus.ABORTED, second.outcome().join().status());
+      assertEquals(GoalStatus.ABORTED, Awaited.value(first.outcome()).status());
+      assertEquals(GoalStatus.ABORTED, Awaited.value(second.outcome()).status());
     }
   }
 
@@ -261,18 +262,18 @@ class ActionsTest {
       one.actions().serve("f", fibonacci(one), goals);
       ActionClient client = client(two, "/f");
       for (int i = 0; i < 1000; i++) {
-        client.send(goal(i), new Progress()).accepted().join();
+        Awaited.value(client.send(goal(i), new Progress()).accepted());
       }
       assertEquals("/f refuses the goal", failure(client.send(goal(1), new Progress()).accepted()));
       // Those that have ended make room for others.
       for (int i = 0; i < 500; i++) {
-        goals.accepted.take().end(GoalStatus.SUCCEEDED, sequence(i));
+        Awaited.next(goals.accepted).end(GoalStatus.SUCCEEDED, sequence(i));
       }
       ActionClient.Goal last = client.send(goal(7), new Progress());
-      last.accepted().join();
+      Awaited.value(last.accepted());
       goals.accepted.removeIf(each -> each.request().get("order").doubleValue() != 7);
-      goals.accepted.take().end(GoalStatus.SUCCEEDED, sequence(7));
-      assertEquals(sequence(7), last.outcome().join().result());
+      Awaited.next(goals.accepted).end(GoalStatus.SUCCEEDED, sequence(7));
+      assertEquals(sequence(7), Awaited.value(last.outcome()).result());
     }
   }
 
@@ -283,7 +284,7 @@ class ActionsTest {
       node.actions().serve("f", fibonacci(node), new Goals());
       ActionClient client = client(node, "/f");
       ActionClient.Goal goal = client.send(goal(1), new Progress());
-      goal.accepted().join();
+      Awaited.value(goal.accepted());
       client.close();
       assertEquals("the client of /f is closed", failure(goal.outcome()));
       assertEquals(

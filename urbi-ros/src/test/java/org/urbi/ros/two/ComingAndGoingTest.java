@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.message.MessageType;
@@ -23,10 +25,8 @@ class ComingAndGoingTest {
         TwoSettings.of(Map.of("ROS_DOMAIN_ID", "" + domain.domain()), name, Map.of()), text -> {});
   }
 
-  private static void awaitEndpoints(TwoNode node, int count) throws InterruptedException {
-    while (node.endpoints().size() != count) {
-      Thread.sleep(1);
-    }
+  private static void awaitEndpoints(TwoNode node, int count) throws Exception {
+    Awaited.until("the endpoints", () -> node.endpoints().size() == count);
   }
 
   @Test
@@ -46,17 +46,15 @@ class ComingAndGoingTest {
           Publisher there =
               comes.advertise("/come", string, Qos.LATCHED, new Publisher.Listener() {});
           there.publish(Templates.of(string).with("data", "visit " + i));
-          assertEquals("visit " + i, heard.take().get("data").stringValue());
-          while (publisher.subscribers() == 0) {
-            Thread.sleep(1);
-          }
+          assertEquals("visit " + i, Awaited.next(heard).get("data").stringValue());
+          Awaited.until("a subscriber", () -> publisher.subscribers() > 0);
           publisher.publish(Templates.of(string).with("data", "welcome"));
-          back.take();
+          Awaited.next(back);
         }
         awaitEndpoints(stays, own);
         assertEquals(0, publisher.subscribers());
       }
-      assertEquals(List.of("/stays"), List.copyOf(stays.graph().join().nodes().keySet()));
+      assertEquals(List.of("/stays"), List.copyOf(Awaited.value(stays.graph()).nodes().keySet()));
       assertTrue(heard.isEmpty());
     }
   }
@@ -73,15 +71,15 @@ class ComingAndGoingTest {
         try (Peer peer = Peer.ofShortLease(environment, domain.domain())) {
           peer.say("publish come 100000 1000 1000");
           peer.expect("matched");
-          heard.take();
+          Awaited.next(heard);
           peer.kill();
         }
         awaitEndpoints(stays, own);
       }
       // Its node is forgotten with the participant, after the endpoints.
-      while (!List.of("/stays").equals(List.copyOf(stays.graph().join().nodes().keySet()))) {
-        Thread.sleep(10);
-      }
+      Awaited.until(
+          "/stays alone",
+          () -> Set.of("/stays").equals(Awaited.value(stays.graph()).nodes().keySet()));
     }
   }
 }

@@ -13,6 +13,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
@@ -85,9 +86,9 @@ class TwoNodeTest {
       peer.say("publish back 3 4 20");
       peer.expect("matched");
       for (int i = 0; i < 3; i++)
-        assertEquals(i + ":xxxx", heard.messages.take().get("data").stringValue());
+        assertEquals(i + ":xxxx", Awaited.next(heard.messages).get("data").stringValue());
       peer.expect("published");
-      assertEquals("std_msgs/msg/String", heard.types.take().name().toString());
+      assertEquals("std_msgs/msg/String", Awaited.next(heard.types).name().toString());
       assertEquals(1, subscription.publishers());
       ServiceType type = node.definitions().service("test_msgs/BasicTypes");
       ServiceServer server = node.serve("increment", type, increment(type));
@@ -96,15 +97,15 @@ class TwoNodeTest {
       server.close();
       peer.say("serve /increment");
       peer.expect("serving");
-      ServiceClient client = node.client("/increment", type, true).join();
+      ServiceClient client = Awaited.value(node.client("/increment", type, true));
       UDictionary request =
           Templates.of(type.request()).with("int32_value", 7).with("string_value", "seven");
       for (int i = 0; i < 10; i++) {
-        UDictionary answer = client.request(request).join();
+        UDictionary answer = Awaited.value(client.request(request));
         assertEquals(8, answer.get("int32_value").doubleValue());
         assertEquals("seven!", answer.get("string_value").stringValue());
       }
-      GraphSnapshot graph = node.graph().join();
+      GraphSnapshot graph = Awaited.value(node.graph());
       assertTrue(graph.nodes().get("/peer").publishes().contains("/back"), graph::toString);
       assertEquals(
           List.of("/parameter_events", "/rosout", "/urbi/chatter"),
@@ -143,7 +144,7 @@ class TwoNodeTest {
               });
       Heard heard = new Heard();
       Subscription subscription = two.subscribe("/urbi/x", string, Qos.DEFAULT, heard);
-      connected.take();
+      Awaited.next(connected);
       // A listener that fails does not end what it listens to.
       two.subscribe(
           "/urbi/x",
@@ -152,14 +153,14 @@ class TwoNodeTest {
           message -> {
             throw new IllegalStateException("on purpose");
           });
-      connected.take();
+      Awaited.next(connected);
       publisher.publish(Templates.of(string).with("data", "hello"));
-      assertEquals("hello", heard.messages.take().get("data").stringValue());
+      assertEquals("hello", Awaited.next(heard.messages).get("data").stringValue());
       publisher.publish(Templates.of(string).with("data", "hi"));
-      assertEquals("hi", heard.messages.take().get("data").stringValue());
-      while (!one.graph().join().nodes().containsKey("/far/two")) Thread.sleep(1);
+      assertEquals("hi", Awaited.next(heard.messages).get("data").stringValue());
+      Awaited.until("/far/two", () -> Awaited.value(one.graph()).nodes().containsKey("/far/two"));
       subscription.close();
-      assertTrue(connected.take().startsWith("not "));
+      assertTrue(Awaited.next(connected).startsWith("not "));
       assertEquals(1, publisher.subscribers());
     }
   }
@@ -177,7 +178,8 @@ class TwoNodeTest {
     try (Neighbourhood domain = new Neighbourhood();
         TwoNode node = start(settings(domain.domain(), "", "one"))) {
       CompletionException none =
-          assertThrows(CompletionException.class, () -> node.client("none", null, false).join());
+          assertThrows(
+              CompletionException.class, () -> Awaited.value(node.client("none", null, false)));
       assertEquals(
           "there is no service /urbi/none: Ros.services has all", none.getCause().getMessage());
     }
@@ -203,8 +205,8 @@ class TwoNodeTest {
                         "OFF"),
                     "alone",
                     Map.of()))) {
-      assertEquals(List.of("/urbi/one"), List.copyOf(one.graph().join().nodes().keySet()));
-      assertEquals(List.of("/alone"), List.copyOf(alone.graph().join().nodes().keySet()));
+      assertEquals(List.of("/urbi/one"), List.copyOf(Awaited.value(one.graph()).nodes().keySet()));
+      assertEquals(List.of("/alone"), List.copyOf(Awaited.value(alone.graph()).nodes().keySet()));
     }
   }
 
@@ -221,17 +223,19 @@ class TwoNodeTest {
       two.subscribe("x", two.definitions().message("std_msgs/Int32"), Qos.DEFAULT, new Heard());
       assertEquals(
           "/urbi/x: /urbi/two subscribes to std_msgs/msg/Int32, this node has std_msgs/msg/String",
-          told.take());
+          Awaited.next(told));
       ServiceType trigger = one.definitions().service("std_srvs/Trigger");
       one.serve("s", trigger, request -> new CompletableFuture<>());
       CompletionException refused =
           assertThrows(
               CompletionException.class,
-              () -> two.client("s", two.definitions().service("std_srvs/Empty"), true).join());
+              () ->
+                  Awaited.value(
+                      two.client("s", two.definitions().service("std_srvs/Empty"), true)));
       assertTrue(refused.getCause().getMessage().contains("of another type"));
       assertEquals(
           "/urbi/s: /urbi/two calls std_srvs/srv/Empty, this node has std_srvs/srv/Trigger",
-          told.take());
+          Awaited.next(told));
     }
   }
 
@@ -253,7 +257,7 @@ class TwoNodeTest {
             }
           });
       two.subscribe("x", string, Qos.DEFAULT, new Heard());
-      assertEquals("/urbi/two asks for reliability that is not offered here", failed.take());
+      assertEquals("/urbi/two asks for reliability that is not offered here", Awaited.next(failed));
     }
   }
 
@@ -266,8 +270,8 @@ class TwoNodeTest {
       peer.say("silent /hangs");
       peer.expect("serving");
       // A busy machine may take longer to tell of it than is waited for what need not be there.
-      while (!node.graph().join().services().containsKey("/hangs")) Thread.sleep(1);
-      ServiceClient client = node.client("/hangs", null, true).join();
+      Awaited.until("/hangs", () -> Awaited.value(node.graph()).services().containsKey("/hangs"));
+      ServiceClient client = Awaited.value(node.client("/hangs", null, true));
       CompletableFuture<UDictionary> answer = client.request(Templates.of(client.type().request()));
       peer.expect("asked");
       peer.kill();
@@ -281,8 +285,8 @@ class TwoNodeTest {
     try (Neighbourhood domain = new Neighbourhood();
         TwoNode node = start(settings(domain.domain(), "", "node"));
         HostileServer server = new HostileServer(domain)) {
-      while (!node.graph().join().services().containsKey("/bad")) Thread.sleep(1);
-      ServiceClient client = node.client("/bad", null, true).join();
+      Awaited.until("/bad", () -> Awaited.value(node.graph()).services().containsKey("/bad"));
+      ServiceClient client = Awaited.value(node.client("/bad", null, true));
       CompletableFuture<UDictionary> answer = client.request(new UDictionary());
       CompletionException bad = assertThrows(CompletionException.class, answer::join);
       assertTrue(bad.getCause().getMessage().startsWith("/bad answers what is none: "));

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.one.RosProcess;
 
 /**
@@ -95,9 +96,9 @@ class ManualTest {
 
   /** The next line that was echoed, without its time. */
   private String echoed() throws InterruptedException {
-    String line = output.take();
+    String line = Awaited.next(output);
     while (!line.contains("*** ") || line.contains("ROS: ")) {
-      line = output.take();
+      line = Awaited.next(output);
     }
     return line.substring(line.indexOf("*** ") + 4).strip();
   }
