@@ -20,7 +20,18 @@ rclpy.init()
 node = rclpy.create_node("peer")
 executor = MultiThreadedExecutor(4)
 executor.add_node(node)
-threading.Thread(target=executor.spin, daemon=True).start()
+
+
+# rclpy looks at an action client of another thread even before that is complete, and fails then.
+def spin():
+    while rclpy.ok():
+        try:
+            executor.spin()
+        except AttributeError:
+            continue
+
+
+threading.Thread(target=spin, daemon=True).start()
 kept = []
 
 

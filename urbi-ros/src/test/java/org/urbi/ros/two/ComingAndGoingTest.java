@@ -29,6 +29,13 @@ class ComingAndGoingTest {
     Awaited.until("the endpoints", () -> node.endpoints().size() == count);
   }
 
+  /** Which nodes there are is told after the endpoints have gone. */
+  private static void awaitAlone(TwoNode stays) throws Exception {
+    Awaited.until(
+        "/stays alone",
+        () -> Set.of("/stays").equals(Awaited.value(stays.graph()).nodes().keySet()));
+  }
+
   @Test
   void nodesThatSayGoodBye() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
@@ -54,7 +61,7 @@ class ComingAndGoingTest {
         awaitEndpoints(stays, own);
         assertEquals(0, publisher.subscribers());
       }
-      assertEquals(List.of("/stays"), List.copyOf(Awaited.value(stays.graph()).nodes().keySet()));
+      awaitAlone(stays);
       assertTrue(heard.isEmpty());
     }
   }
@@ -77,9 +84,7 @@ class ComingAndGoingTest {
         awaitEndpoints(stays, own);
       }
       // Its node is forgotten with the participant, after the endpoints.
-      Awaited.until(
-          "/stays alone",
-          () -> Set.of("/stays").equals(Awaited.value(stays.graph()).nodes().keySet()));
+      awaitAlone(stays);
     }
   }
 }
