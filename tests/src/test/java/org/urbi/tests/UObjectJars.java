@@ -9,8 +9,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -33,8 +36,13 @@ public final class UObjectJars {
       try (Stream<Path> modules = Files.list(SOURCES)) {
         // Of this JVM alone: others run other tests at the same time.
         Path folder = Files.createTempDirectory(Path.of("target"), "uobject-jars").toAbsolutePath();
+        // All at once, so that the compiler reads only once what each of them needs.
+        Path classes = Files.createTempDirectory("uobject-classes");
+        compile(SOURCES, classes);
         for (Path module : modules.sorted().toList()) {
-          make(module, folder.resolve(module.getFileName() + ".jar"));
+          Set<String> own = classNames(module);
+          Path jar = folder.resolve(module.getFileName() + ".jar");
+          pack(classes, jar, name -> own.contains(name.replaceFirst("[$.].*", "")));
         }
         return folder;
       } catch (IOException e) {
@@ -43,16 +51,29 @@ public final class UObjectJars {
     }
   }
 
+  /** The jars of the class path stay open: to read them again takes as long as to compile. */
+  private static final class Compiler {
+    static final JavaCompiler JAVAC = ToolProvider.getSystemJavaCompiler();
+    static final StandardJavaFileManager FILES =
+        JAVAC.getStandardFileManager(null, null, StandardCharsets.UTF_8);
+  }
+
   /** The folder with all the jars. */
   static Path folder() {
     return Made.FOLDER;
   }
 
-  /** Compiles all the sources in a folder, and puts the classes in a jar. */
-  static void make(Path sources, Path jar) throws IOException {
-    try (Stream<Path> files = Files.walk(sources)) {
-      make(files.filter(file -> file.toString().endsWith(".java")).sorted().toList(), jar);
+  private static List<Path> sources(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files.filter(file -> file.toString().endsWith(".java")).sorted().toList();
     }
+  }
+
+  /** Those of the sources in a folder, each of which has one class. */
+  private static Set<String> classNames(Path folder) throws IOException {
+    return sources(folder).stream()
+        .map(file -> file.getFileName().toString().replace(".java", ""))
+        .collect(Collectors.toSet());
   }
 
   /** Compiles a source of that name, and puts the classes in a jar. */
@@ -60,45 +81,35 @@ public final class UObjectJars {
     Path folder = Files.createTempDirectory("uobject-source");
     Path file = folder.resolve(className + ".java");
     Files.writeString(file, source);
-    make(List.of(file), jar);
-  }
-
-  private static void make(List<Path> sources, Path jar) throws IOException {
     Path classes = Files.createTempDirectory("uobject-classes");
-    compile(sources, classes);
+    compile(folder, classes);
     pack(classes, jar, "");
   }
 
   /** Compiles all the sources in a folder to another one. */
-  public static void compile(Path sources, Path classes) throws IOException {
-    try (Stream<Path> files = Files.walk(sources)) {
-      compile(files.filter(file -> file.toString().endsWith(".java")).sorted().toList(), classes);
-    }
-  }
-
-  private static void compile(List<Path> sources, Path classes) throws IOException {
-    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+  public static synchronized void compile(Path sources, Path classes) throws IOException {
     StringWriter messages = new StringWriter();
-    try (StandardJavaFileManager files =
-        compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
-      boolean compiled =
-          compiler
-              .getTask(
-                  messages,
-                  files,
-                  null,
-                  List.of("-d", classes.toString(), "-proc:none"),
-                  null,
-                  files.getJavaFileObjectsFromPaths(sources))
-              .call();
-      if (!compiled) {
-        throw new IllegalStateException(messages.toString());
-      }
+    boolean compiled =
+        Compiler.JAVAC
+            .getTask(
+                messages,
+                Compiler.FILES,
+                null,
+                List.of("-d", classes.toString(), "-proc:none"),
+                null,
+                Compiler.FILES.getJavaFileObjectsFromPaths(sources(sources)))
+            .call();
+    if (!compiled) {
+      throw new IllegalStateException(messages.toString());
     }
   }
 
   /** Packs a folder of classes, but for those whose name begins with a given one. */
   public static void pack(Path classes, Path jar, String without) throws IOException {
+    pack(classes, jar, name -> without.isEmpty() || !name.startsWith(without));
+  }
+
+  private static void pack(Path classes, Path jar, Predicate<String> packed) throws IOException {
     List<Path> files = new ArrayList<>();
     try (Stream<Path> all = Files.walk(classes)) {
       all.filter(Files::isRegularFile).sorted().forEach(files::add);
@@ -107,7 +118,7 @@ public final class UObjectJars {
     try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(part))) {
       for (Path file : files) {
         String name = classes.relativize(file).toString().replace('\\', '/');
-        if (without.isEmpty() || !name.startsWith(without)) {
+        if (packed.test(name)) {
           out.putNextEntry(new JarEntry(name));
           Files.copy(file, out);
           out.closeEntry();
