@@ -32,8 +32,15 @@ public class Faulty extends UObject {
     throw new UnsupportedOperationException();
   }
 
-  public int recurse(int depth) {
-    return recurse(depth + 1) + 1;
+  public long recurse(int depth) {
+    return down(depth, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  }
+
+  /** With many arguments, because to leave a stack that is full of small frames takes seconds. */
+  private static long down(
+      long depth, long b, long c, long d, long e, long f, long g, long h, long i, long j, long k, long l, long m,
+      long n, long o, long p) {
+    return down(depth + 1, c, d, e, f, g, h, i, j, k, l, m, n, o, p, b) + d;
   }
 
   public double useUnbound() {
