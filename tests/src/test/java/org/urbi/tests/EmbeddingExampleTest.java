@@ -72,6 +72,7 @@ class EmbeddingExampleTest {
 
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
     command.addAll(List.of(options));
     command.addAll(List.of("-cp", folder + File.pathSeparator + classPath(), "Embed"));
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();

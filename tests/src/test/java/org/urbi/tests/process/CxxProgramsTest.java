@@ -59,6 +59,7 @@ class CxxProgramsTest {
             Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "--enable-native-access=ALL-UNNAMED",
             "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
             "-cp",
             JavaProcess.Setting.in(folder).classPath());
     Files.writeString(
