@@ -39,27 +39,26 @@ final class Assignments {
 
   Node assignment(Ast.Assignment assignment, LexicalScope block) {
     Span span = assignment.span();
-    return switch (assignment.target()) {
-      case Ast.Message message when message.arguments() == null || message.name().equals("[]") ->
-          toMessage(span, message, assignment.value(), block);
-      case Ast.Property property ->
-          new Properties.Write(
-              property.span(),
-              compilation.receivers.target(property.target(), property.slot(), span, block),
-              interpreter().world().symbol(property.slot()),
-              property.name(),
-              operand(assignment.value(), block));
-      case Ast pattern -> {
-        Node value = operand(assignment.value(), block);
-        // An error in assigning to a call is reported at the location of the assignment.
-        Ast assigned =
-            pattern instanceof Ast.Message call
-                ? new Ast.Message(
-                    span, call.target(), call.name(), call.arguments(), call.nameSpan())
-                : pattern;
-        yield new Matching.Destructure(span, destructuring(assigned, block), value);
-      }
-    };
+    Ast target = assignment.target();
+    if (target instanceof Ast.Message message
+        && (message.arguments() == null || message.name().equals("[]"))) {
+      return toMessage(span, message, assignment.value(), block);
+    }
+    if (target instanceof Ast.Property property) {
+      return new Properties.Write(
+          property.span(),
+          compilation.receivers.target(property.target(), property.slot(), span, block),
+          interpreter().world().symbol(property.slot()),
+          property.name(),
+          operand(assignment.value(), block));
+    }
+    Node value = operand(assignment.value(), block);
+    // An error in assigning to a call is reported at the location of the assignment.
+    Ast assigned =
+        target instanceof Ast.Message call
+            ? new Ast.Message(span, call.target(), call.name(), call.arguments(), call.nameSpan())
+            : target;
+    return new Matching.Destructure(span, destructuring(assigned, block), value);
   }
 
   private Node toMessage(Span span, Ast.Message message, Ast value, LexicalScope block) {
@@ -130,33 +129,38 @@ final class Assignments {
 
   private Node inPlace(
       Span span, Ast target, String operator, @Nullable Node operand, LexicalScope block) {
-    CompoundAssignment.Access access =
-        switch (target) {
-          case Ast.Message message when message.arguments() != null ->
-              new CompoundAssignment.Element(
-                  target(message.target(), span, block),
-                  compilation.all(message.arguments(), block),
-                  Slots.lookup(interpreter(), message.name()),
-                  Slots.lookup(interpreter(), message.name() + "="));
-          case Ast.Message message -> {
-            LocalVariable variable = message.target() == null ? block.find(message.name()) : null;
-            yield variable == null
-                ? new CompoundAssignment.Slot(
-                    compilation.receivers.target(
-                        message.target(), message.name(), message.span(), block),
-                    Slots.lookup(interpreter(), message.name()),
-                    message.span())
-                : new CompoundAssignment.OfVariable(
-                    compilation.read(span, variable, block), compilation.place(variable, block));
-          }
-          case Ast.Property property ->
-              new CompoundAssignment.OfProperty(
-                  compilation.receivers.target(property.target(), property.slot(), span, block),
-                  interpreter().world().symbol(property.slot()),
-                  property.name());
-          default -> new CompoundAssignment.Constant(operand(target, block));
-        };
-    return new CompoundAssignment(span, interpreter(), access, operator, operand);
+    return new CompoundAssignment(
+        span, interpreter(), access(span, target, block), operator, operand);
+  }
+
+  /** What is read and written. */
+  private CompoundAssignment.Access access(Span span, Ast target, LexicalScope block) {
+    if (target instanceof Ast.Message message) {
+      return message.arguments() == null
+          ? named(span, message, block)
+          : new CompoundAssignment.Element(
+              target(message.target(), span, block),
+              compilation.all(message.arguments(), block),
+              Slots.lookup(interpreter(), message.name()),
+              Slots.lookup(interpreter(), message.name() + "="));
+    }
+    return target instanceof Ast.Property property
+        ? new CompoundAssignment.OfProperty(
+            compilation.receivers.target(property.target(), property.slot(), span, block),
+            interpreter().world().symbol(property.slot()),
+            property.name())
+        : new CompoundAssignment.Constant(operand(target, block));
+  }
+
+  private CompoundAssignment.Access named(Span span, Ast.Message name, LexicalScope block) {
+    LocalVariable variable = name.target() == null ? block.find(name.name()) : null;
+    return variable == null
+        ? new CompoundAssignment.Slot(
+            compilation.receivers.target(name.target(), name.name(), name.span(), block),
+            Slots.lookup(interpreter(), name.name()),
+            name.span())
+        : new CompoundAssignment.OfVariable(
+            compilation.read(span, variable, block), compilation.place(variable, block));
   }
 
   /** {@code x = 10 time: 5s}: a function to read, one to write, and the attributes. */

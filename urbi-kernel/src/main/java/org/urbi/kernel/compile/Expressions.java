@@ -195,25 +195,33 @@ final class Expressions {
 
   /** A pattern; the variables that it declares are added to the block. */
   Pattern pattern(Ast ast, LexicalScope block) {
-    return switch (ast) {
-      case Ast.Declaration binding when binding.value() == null && binding.target() == null ->
-          block.declaresSlots()
-              ? new Pattern.SlotBinding(symbol(binding.name()), binding.nameSpan())
-              : new Pattern.Binding(
-                  compilation.place(compilation.declare(block, binding.name(), binding), block));
-      case Ast.ListLiteral list -> elements(list.elements(), block, false);
-      case Ast.TupleLiteral tuple -> elements(tuple.elements(), block, true);
-      case Ast.DictionaryLiteral dictionary -> {
-        List<Node> keys = new ArrayList<>();
-        List<Pattern> patterns = new ArrayList<>();
-        for (Ast.Entry entry : dictionary.entries()) {
-          keys.add(operand(entry.key(), block));
-          patterns.add(pattern(entry.value(), block));
-        }
-        yield new Pattern.Entries(keys.toArray(Node[]::new), patterns.toArray(Pattern[]::new));
-      }
-      default -> new Pattern.Equal(operand(ast, block));
-    };
+    if (ast instanceof Ast.Declaration binding
+        && binding.value() == null
+        && binding.target() == null) {
+      return block.declaresSlots()
+          ? new Pattern.SlotBinding(symbol(binding.name()), binding.nameSpan())
+          : new Pattern.Binding(
+              compilation.place(compilation.declare(block, binding.name(), binding), block));
+    }
+    if (ast instanceof Ast.ListLiteral list) {
+      return elements(list.elements(), block, false);
+    }
+    if (ast instanceof Ast.TupleLiteral tuple) {
+      return elements(tuple.elements(), block, true);
+    }
+    return ast instanceof Ast.DictionaryLiteral dictionary
+        ? entries(dictionary, block)
+        : new Pattern.Equal(operand(ast, block));
+  }
+
+  private Pattern entries(Ast.DictionaryLiteral dictionary, LexicalScope block) {
+    List<Node> keys = new ArrayList<>();
+    List<Pattern> patterns = new ArrayList<>();
+    for (Ast.Entry entry : dictionary.entries()) {
+      keys.add(operand(entry.key(), block));
+      patterns.add(pattern(entry.value(), block));
+    }
+    return new Pattern.Entries(keys.toArray(Node[]::new), patterns.toArray(Pattern[]::new));
   }
 
   private Pattern elements(List<Ast> elements, LexicalScope block, boolean tuple) {

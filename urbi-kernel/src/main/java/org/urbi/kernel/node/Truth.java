@@ -39,12 +39,18 @@ public final class Truth {
 
   /** Whether a value is true, when nobody has redefined {@code asBool}. */
   public static boolean of(UrbiObject value, Values values) {
-    return switch (value) {
-      case UrbiFloat number -> number.value() != 0;
-      case UrbiString string -> !string.value().isEmpty();
-      case UrbiList list -> !list.elements().isEmpty();
-      case UrbiDictionary dictionary -> !dictionary.entries().isEmpty();
-      default -> value != values.falseObject && value != values.nil;
-    };
+    if (value instanceof UrbiFloat number) {
+      return number.value() != 0;
+    }
+    if (value instanceof UrbiString string) {
+      return !string.value().isEmpty();
+    }
+    if (value instanceof UrbiList list) {
+      return !list.elements().isEmpty();
+    }
+    if (value instanceof UrbiDictionary dictionary) {
+      return !dictionary.entries().isEmpty();
+    }
+    return value != values.falseObject && value != values.nil;
   }
 }

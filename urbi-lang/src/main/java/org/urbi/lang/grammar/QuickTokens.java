@@ -13,10 +13,27 @@ import org.jspecify.annotations.Nullable;
 public final class QuickTokens {
   private static final int UNUSUAL = -1;
 
+  /** Each number of so many digits is a double. */
+  private static final int EXACT_DIGITS = 15;
+
   /** What each word is that is not a plain name. */
   private static final Map<String, Integer> WORDS = words();
 
+  /** What can follow the beginning of a word, which a digit cannot be. */
+  private static final boolean[] IN_WORD = new boolean[128];
+
+  static {
+    for (char c = 0; c < IN_WORD.length; c++) {
+      IN_WORD[c] = startsWord(c) || isDigit(c);
+    }
+  }
+
   private final String text;
+
+  /** The part that is read: to ask the text for each character would take an interpreter longer. */
+  private final char[] characters;
+
+  private final int base;
   private final int last;
   private final Checkpoint checkpoint;
   private int at;
@@ -29,8 +46,10 @@ public final class QuickTokens {
 
   private QuickTokens(String text, int begin, int end, Checkpoint checkpoint) {
     this.text = text;
-    this.at = begin;
-    this.last = end;
+    this.characters = new char[end - begin];
+    this.base = begin;
+    this.last = end - begin;
+    text.getChars(begin, end, characters, 0);
     this.checkpoint = checkpoint;
   }
 
@@ -57,9 +76,9 @@ public final class QuickTokens {
     return tokens.readAll() ? tokens : null;
   }
 
-  /** The type of a token: one of {@code UrbiscriptLexer}. */
-  public int type(int index) {
-    return types[index];
+  /** The types of the tokens, of {@code UrbiscriptLexer}; what is behind the last is undefined. */
+  public int[] types() {
+    return types;
   }
 
   /** The offset of its first character. */
@@ -90,7 +109,7 @@ public final class QuickTokens {
   private boolean readAll() {
     while (!unusual && skipBlanks()) {
       checkpoint.pass();
-      next(text.charAt(at));
+      next(characters[at]);
     }
     at = last;
     add(UrbiscriptLexer.EOF, last, null);
@@ -106,8 +125,8 @@ public final class QuickTokens {
       values = Arrays.copyOf(values, room);
     }
     types[size] = type;
-    begins[size] = at;
-    ends[size] = end;
+    begins[size] = base + at;
+    ends[size] = base + end;
     values[size++] = value;
     at = end;
   }
@@ -115,10 +134,11 @@ public final class QuickTokens {
   /** Skips white space and comments; false at the end of the text. */
   private boolean skipBlanks() {
     while (at < last) {
-      char c = text.charAt(at);
+      char c = characters[at];
       if (c == '/' && is(at + 1, '/')) {
-        int end = text.indexOf('\n', at, last);
-        at = end < 0 ? last : end;
+        while (at < last && characters[at] != '\n') {
+          at++;
+        }
       } else if (c == '/' && is(at + 1, '*')) {
         skipComment();
       } else if (c == ' ' || '\t' <= c && c <= '\r') {
@@ -135,7 +155,7 @@ public final class QuickTokens {
     int nesting = 1;
     at += 2;
     while (nesting > 0 && at < last) {
-      char c = text.charAt(at++);
+      char c = characters[at++];
       if (c == '*' && is(at, '/')) {
         nesting--;
         at++;
@@ -148,7 +168,7 @@ public final class QuickTokens {
   }
 
   private boolean is(int offset, char expected) {
-    return offset < last && text.charAt(offset) == expected;
+    return offset < last && characters[offset] == expected;
   }
 
   private void next(char c) {
@@ -175,7 +195,7 @@ public final class QuickTokens {
 
   private int endOfWord(int from) {
     int end = from;
-    while (end < last && (startsWord(text.charAt(end)) || isDigit(text.charAt(end)))) {
+    while (end < last && characters[end] < IN_WORD.length && IN_WORD[characters[end]]) {
       end++;
     }
     return end;
@@ -183,7 +203,7 @@ public final class QuickTokens {
 
   private void word() {
     int end = endOfWord(at + 1);
-    String word = text.substring(at, end);
+    String word = text.substring(base + at, base + end);
     int type = WORDS.getOrDefault(word, UrbiscriptLexer.WORD);
     unusual = type == UNUSUAL || is(end, '\'');
     add(type, end, word);
@@ -191,17 +211,20 @@ public final class QuickTokens {
 
   private int endOfDigits(int from) {
     int end = from;
-    while (end < last && (isDigit(text.charAt(end)) || text.charAt(end) == '_')) {
+    while (end < last && (isDigit(characters[end]) || characters[end] == '_')) {
       end++;
     }
     return end;
   }
 
   private boolean digitAt(int offset) {
-    return offset < last && isDigit(text.charAt(offset));
+    return offset < last && isDigit(characters[offset]);
   }
 
   private void number() {
+    if (smallNumber()) {
+      return;
+    }
     int end = endOfDigits(at);
     if (is(end, '.') && digitAt(end + 1)) {
       end = endOfDigits(end + 1);
@@ -211,23 +234,41 @@ public final class QuickTokens {
       end = digitAt(exponent) ? endOfDigits(exponent) : end;
     }
     end = endOfWord(end);
-    String digits = text.substring(at, end);
+    String digits = text.substring(base + at, base + end);
     Numbers.Value number = Numbers.parse(digits);
     unusual = number == Numbers.INVALID || digits.charAt(digits.length() - 1) == 'm';
     int type = number.duration() ? UrbiscriptLexer.DURATION : UrbiscriptLexer.NUMBER;
     add(type, end, number.value());
   }
 
+  /**
+   * Reads a number of nothing but digits, few enough for a double to be exact; false if it is none.
+   */
+  private boolean smallNumber() {
+    int end = at;
+    long value = 0;
+    while (end < last && isDigit(characters[end])) {
+      value = 10 * value + characters[end++] - '0';
+    }
+    if (end - at > EXACT_DIGITS || is(end, '.') || endOfWord(end) > end) {
+      return false;
+    }
+    add(UrbiscriptLexer.NUMBER, end, (double) value);
+    return true;
+  }
+
   private void quoted(char quote, int type) {
-    int closing = text.indexOf(quote, at + 1, last);
-    if (closing >= 0 && text.indexOf('\\', at + 1, closing) < 0) {
-      add(type, closing + 1, text.substring(at + 1, closing));
+    int first = base + at + 1;
+    int closing = text.indexOf(quote, first, base + last);
+    if (closing >= 0 && text.indexOf('\\', first, closing) < 0) {
+      add(type, closing + 1 - base, text.substring(first, closing));
       return;
     }
-    var escapes = new Escapes(text, at + 1, last, quote, (end, problem, about) -> unusual = true);
+    var escapes =
+        new Escapes(text, first, base + last, quote, (end, problem, about) -> unusual = true);
     boolean closed = escapes.read();
     unusual |= !closed;
-    add(type, escapes.position(), escapes.value());
+    add(type, escapes.position() - base, escapes.value());
   }
 
   private void symbol(char c) {

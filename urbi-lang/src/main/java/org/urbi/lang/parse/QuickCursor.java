@@ -22,6 +22,7 @@ final class QuickCursor {
 
   private final Source source;
   private final QuickTokens tokens;
+  private final int[] types;
   private int at;
   private int height;
 
@@ -35,6 +36,7 @@ final class QuickCursor {
   QuickCursor(Source source, QuickTokens tokens) {
     this.source = source;
     this.tokens = tokens;
+    this.types = tokens.types();
   }
 
   /** To be thrown at what is unusual. */
@@ -44,16 +46,16 @@ final class QuickCursor {
 
   /** The type of the next token. */
   int type() {
-    return tokens.type(at);
+    return types[at];
   }
 
   /** The type of the token behind the next one, which is not the last. */
   int typeAfter() {
-    return tokens.type(at + 1);
+    return types[at + 1];
   }
 
   boolean is(int type) {
-    return tokens.type(at) == type;
+    return types[at] == type;
   }
 
   /** Reads the next token, whatever it is; its index. */
@@ -68,7 +70,7 @@ final class QuickCursor {
 
   /** Reads the next token if it is of that type. */
   boolean skip(int type) {
-    if (tokens.type(at) == type) {
+    if (types[at] == type) {
       at++;
       return true;
     }
@@ -77,7 +79,7 @@ final class QuickCursor {
 
   /** Reads the next token, which must be of that type. */
   void expect(int type) {
-    if (tokens.type(at++) != type) {
+    if (types[at++] != type) {
       throw unusual();
     }
   }

@@ -63,7 +63,7 @@ final class QuickStatements {
   }
 
   Flavor separator(int token) {
-    return tokens.type(token) == UrbiscriptParser.SEMICOLON ? Flavor.SEMICOLON : Flavor.COMMA;
+    return tokens.types()[token] == UrbiscriptParser.SEMICOLON ? Flavor.SEMICOLON : Flavor.COMMA;
   }
 
   Ast pipe() {

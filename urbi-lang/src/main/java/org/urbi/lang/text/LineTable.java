@@ -51,6 +51,9 @@ public final class LineTable {
    * next line.
    */
   void comment(String comment) {
+    if (!comment.startsWith("//#")) {
+      return;
+    }
     Matcher matcher = SYNCLINE.matcher(comment);
     Matcher push = PUSH.matcher(comment);
     if (matcher.matches()) {

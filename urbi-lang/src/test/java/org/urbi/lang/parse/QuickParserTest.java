@@ -196,6 +196,7 @@ class QuickParserTest {
         "every| (1s) e!(1, 2), timeout (1h 30min) {}, stopif (x) {} & freezeif (e?) {}",
         "a.b.c(1).'d e'[2]++ ; f(&x) ; a.&b ; do (o) { var y = 1 } ; new",
         "a not in b && c in d || e === f ; 0x1F + 1_000.5e-3 + 90deg ; \"a\\n\" \"b\\x41\"",
+        "007 + 999999999999999 + 1234567890123456 + 12345678901234567890 + 1.5 + 2e3 + 3s + 4_0",
         "assert (x) ; assert { a == b; c; } ; { ; } | | a & b",
         "while (var x = f()) {} ; if (a; b) c else d ; closure (x) { return x }",
       })
@@ -219,6 +220,7 @@ class QuickParserTest {
         "public x;",
         "1m;",
         "1zz;",
+        "12\u00e9;",
         "\"\\y\";",
         "\"a;",
         "/* a;",

@@ -41,12 +41,13 @@ final class CodeType {
 
   @Builtin(doc = "The text of the function.")
   static String asString(Frame frame, UrbiObject self) {
-    return switch (self) {
-      case Function function -> Printer.print(function.source());
-      case ScriptCode script -> Printer.print(script.tree());
-      case Code other -> "Code_" + ObjectType.uid(other);
-      default -> "Code";
-    };
+    if (self instanceof Function function) {
+      return Printer.print(function.source());
+    }
+    if (self instanceof ScriptCode script) {
+      return Printer.print(script.tree());
+    }
+    return self instanceof Code ? "Code_" + ObjectType.uid(self) : "Code";
   }
 
   @Builtin(doc = "The text of the code of the function, without its arguments.")

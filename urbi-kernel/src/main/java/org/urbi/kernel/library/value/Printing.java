@@ -87,10 +87,12 @@ public final class Printing {
 
   private void appendContainer(UrbiObject container) {
     boolean repeated = !around.add(container);
-    switch (container) {
-      case UrbiList list -> appendElements("[", list.elements(), "]", repeated);
-      case UrbiDictionary dictionary -> appendEntries(dictionary.sorted(), repeated);
-      default -> appendTuple(container, repeated);
+    if (container instanceof UrbiList list) {
+      appendElements("[", list.elements(), "]", repeated);
+    } else if (container instanceof UrbiDictionary dictionary) {
+      appendEntries(dictionary.sorted(), repeated);
+    } else {
+      appendTuple(container, repeated);
     }
     if (!repeated) {
       around.remove(container);
