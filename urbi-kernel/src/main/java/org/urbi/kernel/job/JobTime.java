@@ -48,7 +48,7 @@ final class JobTime implements Runnable {
 
   /** The job will be woken at that time of the scheduler. */
   void sleepUntil(long deadline) {
-    timer = job.scheduler().timers().addUncounted(deadline, this);
+    timer = job.scheduler().timers().addUncounted(deadline, job.account(), this);
     if (frozenDepth > 0) {
       timer.cancel();
     }

@@ -537,7 +537,7 @@ public final class Scheduler {
     do {
       failed = false;
       try {
-        timers.fire(time.now());
+        time.fireTimers();
       } catch (Throwable failure) {
         failed = true;
         report(null, failure);

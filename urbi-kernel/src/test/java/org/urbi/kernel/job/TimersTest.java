@@ -1,11 +1,15 @@
 package org.urbi.kernel.job;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 
@@ -163,5 +167,92 @@ class TimersTest {
     assertEquals("timer 90", done.getFirst());
     assertEquals(List.of("timer 109", "last"), done.subList(19, 21));
     assertEquals(21, done.size());
+  }
+
+  private final Budget crowd = new Budget();
+  private final Budget other = new Budget();
+
+  private void of(Budget budget, long deadline, String name) {
+    timers.addUncounted(deadline, budget, () -> done.add(name));
+  }
+
+  /** What one tick does, in words: how many of the crowd, and everything else. */
+  private String tick(long now) {
+    done.clear();
+    timers.fireSome(now);
+    long many = done.stream().filter("crowd"::equals).count();
+    return many + " " + done.stream().filter(name -> !name.equals("crowd")).toList();
+  }
+
+  /** It alone waits: 500 are done in their order, then each lobby has its part of as many. */
+  @Test
+  void aCrowdThatIsDueLetsOthersGoBefore() {
+    for (int i = 0; i < 4 * Timers.MOST_IN_TICK; i++) {
+      of(crowd, i % 7, "crowd");
+    }
+    of(crowd, 7, "last of the crowd");
+    of(other, 8, "a");
+    of(other, 9, "b");
+    at(8, "of the machine");
+    of(other, 12, "c");
+    assertEquals("666 [a, b, of the machine]", tick(10));
+    assertEquals(2, timers.next());
+    of(other, 11, "d");
+    assertEquals("750 [d]", tick(11));
+    assertEquals("584 [last of the crowd, c]", tick(12));
+    assertEquals(Long.MAX_VALUE, timers.next());
+  }
+
+  /** In however many ticks: each lobby has all of its own, in their order. */
+  @Test
+  void nothingIsLostBetweenTicks() {
+    record Request(int lobby, long deadline, int number) {}
+    var random = new Random(3);
+    List<Budget> lobbies = Stream.generate(Budget::new).limit(5).toList();
+    List<Request> ran = new ArrayList<>();
+    List<Timers.Timer> requested = new ArrayList<>();
+    Set<Request> expected = new HashSet<>();
+    for (int i = 0; i < 5000; i++) {
+      var request = new Request(i % 7 % 5, 100 + i / 4 % 50, i);
+      expected.add(request);
+      requested.add(
+          timers.addUncounted(
+              request.deadline,
+              lobbies.get(request.lobby),
+              () -> {
+                ran.add(request);
+                int number = 10_000 + request.number;
+                if (random.nextInt(3) == 0) {
+                  // In the same tick, before all that wait: from the earlier time of a slow job.
+                  expected.add(new Request(request.lobby, 1, number));
+                  timers.addUncounted(
+                      1,
+                      lobbies.get(request.lobby),
+                      () -> ran.add(new Request(request.lobby, 1, number)));
+                }
+                int other = random.nextInt(requested.size());
+                requested.get(other).cancel();
+              }));
+    }
+    for (long now = 90; timers.next() < Long.MAX_VALUE; now += 10) {
+      assertTrue(now < 1000, "never done");
+      timers.fireSome(now);
+    }
+    assertEquals(ran.size(), new HashSet<>(ran).size());
+    assertTrue(expected.containsAll(ran));
+    for (int lobby = 0; lobby < 5; lobby++) {
+      int of = lobby;
+      List<Request> own =
+          ran.stream().filter(request -> request.lobby == of && request.deadline > 1).toList();
+      assertTrue(own.size() > 100);
+      assertEquals(
+          own.stream()
+              .sorted(Comparator.comparing(Request::deadline).thenComparing(Request::number))
+              .toList(),
+          own);
+    }
+    // Whatever was requested in a tick, and could not be cancelled, was done.
+    expected.removeIf(request -> request.deadline > 1);
+    assertTrue(ran.containsAll(expected));
   }
 }
