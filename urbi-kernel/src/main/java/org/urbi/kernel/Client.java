@@ -30,6 +30,9 @@ public interface Client {
     return true;
   }
 
+  /** Its connection does nothing any more: who keeps it keeps the memory of its lobby. */
+  default void forgotten() {}
+
   /** From now on its input is raw bytes: telnet commands are no longer looked for. */
   default void binary() {}
 

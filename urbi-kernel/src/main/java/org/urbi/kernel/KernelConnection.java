@@ -384,7 +384,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     kernel.scheduler().interruptions().clear(lobby());
     completions.values().forEach(names -> names.complete(List.of()));
     if (!kernel.leftBehind().has(this)) {
-      kernel.inbox().forget(number);
+      forget();
     }
   }
 
@@ -392,6 +392,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   void forget() {
     if (gone) {
       kernel.inbox().forget(number);
+      client.forgotten();
     }
   }
 

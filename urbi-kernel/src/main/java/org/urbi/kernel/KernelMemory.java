@@ -18,6 +18,7 @@ import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.memory.Evictable;
 import org.urbi.kernel.memory.LobbyGrowth;
 import org.urbi.kernel.memory.MemoryUser;
+import org.urbi.kernel.time.SystemClock;
 
 /** What a kernel does when the memory of its process runs out: its lobbies give back theirs. */
 final class KernelMemory implements MemoryUser {
@@ -64,7 +65,8 @@ final class KernelMemory implements MemoryUser {
               meter.begin();
               return meter.bytes(budget);
             },
-            candidates);
+            candidates,
+            new SystemClock()::now);
     this.log = log;
     this.watched = watched;
     this.onNearlyFull = onNearlyFull;
@@ -129,6 +131,7 @@ final class KernelMemory implements MemoryUser {
         throw e;
       }
       evicted.remove(before);
+      growth.evicted(before);
       asked = before;
       askedToGo = true;
       return;
@@ -156,7 +159,12 @@ final class KernelMemory implements MemoryUser {
   @Override
   public boolean isDone() {
     Evictable last = asked;
-    return last != null && !(askedToGo ? candidates.contains(last) : last.isAtWork());
+    boolean done = last != null && !(askedToGo ? candidates.contains(last) : last.isAtWork());
+    if (done) {
+      // It would keep the memory of who is gone.
+      asked = null;
+    }
+    return done;
   }
 
   /** Whoever has held the kernel since somebody was last asked to give back memory. */

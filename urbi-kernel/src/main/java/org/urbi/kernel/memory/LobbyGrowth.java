@@ -3,6 +3,7 @@ package org.urbi.kernel.memory;
 import java.util.Collection;
 import java.util.Map;
 import java.util.WeakHashMap;
+import java.util.function.LongSupplier;
 import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
@@ -24,12 +25,27 @@ public final class LobbyGrowth {
   /** Who has less than this share of all growth has nothing worth giving back. */
   private static final double NEGLIGIBLE = 0.005;
 
+  /** Who has less than this share of the growth of the largest one that was asked… */
+  private static final double LITTLE = 0.05;
+
+  /**
+   * …is spared for so long after somebody was asked, in nanoseconds: until what that one had can be
+   * collected, and less long than those who free memory wait before they give up.
+   */
+  private static final long PATIENCE = 3_000_000_000L;
+
   private final ToLongFunction<Budget> allocated;
   private final Collection<Evictable> candidates;
+  private final LongSupplier now;
   private final Map<Evictable, Score> scores = new WeakHashMap<>();
 
   /** The growth of all of them, including those that have gone. */
   private double all;
+
+  /** The largest growth of those that have been asked, and when the last one was. */
+  private double largestAsked;
+
+  private long askedAt;
 
   private int skipped;
 
@@ -42,10 +58,13 @@ public final class LobbyGrowth {
   /**
    * @param allocated how many bytes jobs with that budget have allocated so far
    * @param candidates all there are, at any time
+   * @param now real time, in nanoseconds
    */
-  public LobbyGrowth(ToLongFunction<Budget> allocated, Collection<Evictable> candidates) {
+  public LobbyGrowth(
+      ToLongFunction<Budget> allocated, Collection<Evictable> candidates, LongSupplier now) {
     this.allocated = allocated;
     this.candidates = candidates;
+    this.now = now;
   }
 
   /**
@@ -79,18 +98,26 @@ public final class LobbyGrowth {
     Score score = scores.get(asked);
     if (score != null) {
       score.evicted = true;
+      largestAsked = Math.max(largestAsked, score.grown);
+      askedAt = now.getAsLong();
     }
   }
 
-  /** Whether that one has not been asked yet. */
+  /** Whether that one has not been asked yet, and is not spared. */
   public synchronized boolean mayBeAsked(Evictable one) {
     Score score = scores.get(one);
-    return score != null && !score.evicted;
+    return score != null && !score.evicted && score.grown >= leastAsked();
+  }
+
+  /** Those that have grown less are spared: what was asked for before is far more. */
+  private double leastAsked() {
+    return now.getAsLong() - askedAt < PATIENCE ? LITTLE * largestAsked : 0;
   }
 
   /** Whoever has been asked before may be asked again. */
   public synchronized void forget() {
     scores.values().forEach(score -> score.evicted = false);
+    largestAsked = 0;
   }
 
   /** How much the {@link #next} one has grown, in bytes; 0 if there is none. */
@@ -107,7 +134,7 @@ public final class LobbyGrowth {
 
   private Map.@Nullable Entry<Evictable, Score> most() {
     Map.Entry<Evictable, Score> most = null;
-    double grown = NEGLIGIBLE * all;
+    double grown = Math.max(NEGLIGIBLE * all, leastAsked());
     for (Evictable each : candidates) {
       Score score = scores.get(each);
       if (score != null && !score.evicted && score.grown > grown) {

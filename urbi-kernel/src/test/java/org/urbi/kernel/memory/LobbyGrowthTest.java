@@ -1,13 +1,16 @@
 package org.urbi.kernel.memory;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 
@@ -18,8 +21,12 @@ class LobbyGrowthTest {
 
   private final Map<Budget, Long> allocated = new HashMap<>();
   private final List<Evictable> clients = new ArrayList<>();
+
+  /** In nanoseconds. */
+  private long now = 1_000_000_000_000L;
+
   private final LobbyGrowth growth =
-      new LobbyGrowth(budget -> allocated.getOrDefault(budget, 0L), clients);
+      new LobbyGrowth(budget -> allocated.getOrDefault(budget, 0L), clients, () -> now);
 
   private final class Client implements Evictable {
     private final Budget budget = new Budget();
@@ -117,6 +124,48 @@ class LobbyGrowthTest {
     clients.remove(hog);
     measure(1, true);
     assertEquals(0, growth.largest());
+    assertNull(growth.next());
+  }
+
+  /** It takes a while until the memory of who was asked can be collected. */
+  @Test
+  void whoAllocatesLittleIsSparedAsLongAsSomebodyElseFreesMuch() {
+    Client hog = new Client();
+    Client judge = new Client();
+    Client accomplice = new Client();
+    hog.allocate(100 * MEGABYTE);
+    judge.allocate(4 * MEGABYTE);
+    accomplice.allocate(6 * MEGABYTE);
+    measure(1, true);
+    assertSame(hog, growth.next());
+    growth.evicted(hog);
+    assertSame(accomplice, growth.next());
+    assertFalse(growth.mayBeAsked(judge));
+    growth.evicted(accomplice);
+    now += 2_999_999_999L;
+    assertEquals(0, growth.largest());
+    assertNull(growth.next());
+    assertFalse(growth.mayBeAsked(judge));
+    now++;
+    assertSame(judge, growth.next());
+    assertTrue(growth.mayBeAsked(judge));
+    now--;
+    growth.forget();
+    clients.remove(hog);
+    clients.remove(accomplice);
+    assertSame(judge, growth.next());
+  }
+
+  /** None of them is to be spared then. */
+  @Test
+  void manyThatAllocateLittleAreAskedOneAfterTheOther() {
+    for (int i = 0; i < 100; i++) {
+      new Client().allocate(MEGABYTE);
+    }
+    measure(1, true);
+    for (int i = 0; i < 100; i++) {
+      growth.evicted(Objects.requireNonNull(growth.next()));
+    }
     assertNull(growth.next());
   }
 }

@@ -56,7 +56,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
             () -> trace.log("client does not read what it is sent, letting it go: " + name()));
   }
 
-  /** The connection to the lobby; null before there is one. */
+  /** The connection to the lobby; null before there is one, and when it is over. */
   @Nullable Connection connection() {
     return connection;
   }
@@ -137,19 +137,21 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     if (output != null) {
       output.gone();
     }
-    if (connection != null) {
-      connection.close();
+    Connection lobby = connection;
+    if (lobby != null) {
+      lobby.close();
     }
   }
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
+    Connection lobby = connection;
     if (cause instanceof IOException) {
       trace.debug("client lost: " + name() + ": " + cause);
       context.close();
-    } else if (connection != null) {
+    } else if (lobby != null) {
       try {
-        connection.failed("the connection of " + name(), cause);
+        lobby.failed("the connection of " + name(), cause);
       } finally {
         if (cause instanceof OutOfMemoryError) {
           // A part of the input is lost, so what comes behind it must not be executed.
@@ -212,6 +214,12 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   public void closed() {
     over = true;
     output.finish();
+  }
+
+  /** The socket may remain open for some seconds; what the lobby has must not. */
+  @Override
+  public void forgotten() {
+    connection = null;
   }
 
   @Override

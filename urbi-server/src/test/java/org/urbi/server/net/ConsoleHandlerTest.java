@@ -2,6 +2,7 @@ package org.urbi.server.net;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.netty.buffer.ByteBuf;
@@ -126,6 +127,20 @@ class ConsoleHandlerTest {
     assertFalse(channel.isOpen());
     channel.runPendingTasks();
     assertEquals(List.of("close"), lobby.calls);
+  }
+
+  /** The other end may keep the socket open for seconds. */
+  @Test
+  void theMemoryOfALobbyThatIsOverDoesNotWaitForTheClientToGo() {
+    EmbeddedChannel channel = new EmbeddedChannel(handler);
+    assertEquals(lobby, handler.connection());
+    handler.closed();
+    handler.forgotten();
+    assertNull(handler.connection());
+    channel.pipeline().fireUserEventTriggered(TelnetInterrupt.INSTANCE);
+    channel.runPendingTasks();
+    assertFalse(channel.isOpen());
+    assertEquals(List.of(), lobby.calls);
   }
 
   /** A socket whose other end does not read: nothing that is written ever gets out. */
