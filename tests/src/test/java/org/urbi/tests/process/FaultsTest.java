@@ -3,6 +3,7 @@ package org.urbi.tests.process;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.InetAddress;
@@ -158,6 +159,9 @@ class FaultsTest {
   /** What a program opens, and what it starts, needs descriptors, too; so does the next client. */
   @Test
   void descriptorsThatAProgramTakesAreMissedByItAlone() throws Exception {
+    assumeTrue(
+        JavaProcess.isDistribution(),
+        "without the distribution, each class that is loaded takes a descriptor: see ./check");
     try (ServerProcess server =
             ServerProcess.in(JavaProcess.Setting.in(folder).after("ulimit -n 120"));
         Judge judge = Judge.of(server);

@@ -57,6 +57,11 @@ final class JavaProcess implements AutoCloseable {
     }
   }
 
+  /** Whether the classes are in the jars of the distribution, and not in folders. */
+  static boolean isDistribution() {
+    return System.getProperty("urbi.distribution.jars") != null;
+  }
+
   private JavaProcess(String name, ProcessBuilder builder) throws IOException {
     this.name = name;
     process = builder.start();
