@@ -120,6 +120,27 @@ class CompiledCodeTest {
             t: spin(1e9), sleep(0); t.stop; n;
             """),
         Map.entry(
+            "calls have frames only for those who look",
+            """
+            function same(x) { x }|; function add(a, b) { a + b }|; function target { this }|;
+            function user(n) { var a = n + 1; echo(same(a) === a); same(a + 1) + add(a, a) }|;
+            for (var i : 3) echo(user(i)); user("a"); target === this; same(void);
+            function lazily { call.evalArgAt(0) + call.evalArgAt(0) }|;
+            function exposed(n) { lazily(n += 1) + n }|; exposed(1); exposed(2); exposed("a");
+            var kept = nil|; function keep { kept = call | 0 }|;
+            function leaks(n) { if (n < 0) keep(n); n }|;
+            leaks(1); var left = leaks(-5)|; kept.evalArgAt(0) === left;
+            function fails(n) { if (n == 3) nobody(n) else if (n == 5) throw n else n }|;
+            function outer(n) { fails(n) + 1 }|;
+            for (var i : 7) { try { echo(outer(i)) } catch (var e) { echo(e) } }; outer(3); outer(5);
+            function find(list, x) { for| (var y : list) { if (y == x) return y }; nil }|;
+            function first(x) { [1, 2, 3].each(closure (y) { if (y == x) return y }); find([x], x) }|;
+            function both(x) { first(x) + find([x], x) }|; both(2); both(9); both(3);
+            function g(x) { x }|; function h(n) { g({ lobby.g = function (x) { [x] } | n }) }|; h(1); h(2);
+            var ended = Tag.new|; function scoped(n) { ended: { if (n == 2) ended.stop(n); n + 1 } }|;
+            function around(n) { scoped(n) * 2 }|; around(1); around(2); around(3);
+            """),
+        Map.entry(
             "variables are seen after an exception has left loops inside of loops",
             """
             function pairs(n) {

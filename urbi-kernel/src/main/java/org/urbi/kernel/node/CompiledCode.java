@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
@@ -69,7 +70,7 @@ public abstract class CompiledCode extends FrameAccess {
    * Calls a function without parameters whose code this is; code of others does not know how. The
    * answer is null for a number, which is then in the frame of the caller.
    */
-  public @Nullable UrbiObject call(Function called, Frame caller, MessageSend at, UrbiObject self) {
+  public @Nullable UrbiObject call(Function called, Frame caller, CallSite at, UrbiObject self) {
     throw new UnsupportedOperationException();
   }
 
@@ -77,7 +78,7 @@ public abstract class CompiledCode extends FrameAccess {
   public @Nullable UrbiObject call(
       Function called,
       Frame caller,
-      MessageSend at,
+      CallSite at,
       UrbiObject self,
       double a,
       @Nullable UrbiObject first) {
@@ -88,7 +89,7 @@ public abstract class CompiledCode extends FrameAccess {
   public @Nullable UrbiObject call(
       Function called,
       Frame caller,
-      MessageSend at,
+      CallSite at,
       UrbiObject self,
       double a,
       @Nullable UrbiObject first,
@@ -101,7 +102,7 @@ public abstract class CompiledCode extends FrameAccess {
   public @Nullable UrbiObject call(
       Function called,
       Frame caller,
-      MessageSend at,
+      CallSite at,
       UrbiObject self,
       double a,
       @Nullable UrbiObject first,
@@ -112,13 +113,36 @@ public abstract class CompiledCode extends FrameAccess {
     throw new UnsupportedOperationException();
   }
 
-  /** The frame of such a call. */
-  protected static Frame enter(Function called, Frame caller, MessageSend at, UrbiObject self) {
+  /** Begins such a call. */
+  protected static void enter(Frame caller, CallSite at) {
     try {
-      return called.enter(caller, at, self);
+      caller.interpreter.enter(caller.job, caller.depth + 1);
     } catch (UrbiException e) {
-      throw caller.located(e, at.span());
+      throw located(e, caller, at.calledSpan());
     }
+  }
+
+  /**
+   * The frame of such a call.
+   *
+   * @param frame null if nobody has needed it until now: it is made
+   */
+  protected static Frame frame(
+      @Nullable Frame frame, Frame caller, Function called, CallSite at, UrbiObject self) {
+    return frame == null ? caller.plainCall(at, self, called) : frame;
+  }
+
+  /** The same for a function with variables that others can reach. */
+  protected static Frame frameWithCells(
+      @Nullable Frame frame, Frame caller, Function called, CallSite at, UrbiObject self) {
+    return frame == null ? caller.call(at, self, called, Frame.NO_ARGUMENTS) : frame;
+  }
+
+  /** The function that runs in a frame of one. */
+  // No null check, for speed: only the code of a function asks.
+  @SuppressWarnings("NullAway")
+  protected static Function function(Frame frame) {
+    return frame.function;
   }
 
   /** An exception leaves such a call: it answers with the value of a return, or throws again. */
@@ -145,9 +169,13 @@ public abstract class CompiledCode extends FrameAccess {
         : located(exception, frame.caller, frame.site.calledSpan());
   }
 
-  /** Such a call is over. */
-  protected static void end(Frame frame) {
-    if (frame.scopeEnd != null) {
+  /**
+   * Such a call is over.
+   *
+   * @param frame null if nobody has needed it
+   */
+  protected static void end(@Nullable Frame frame) {
+    if (frame != null && frame.scopeEnd != null) {
       try {
         frame.scopeEnd.run();
       } catch (UrbiException e) {
@@ -182,6 +210,11 @@ public abstract class CompiledCode extends FrameAccess {
     } catch (UrbiException e) {
       throw located(e, frame, at);
     }
+  }
+
+  /** Whether the value of what is not compiled is true. */
+  protected static boolean holds(Node code, Frame frame, @Nullable Node at) {
+    return truth(execute(code, frame, at), frame, at);
   }
 
   // ------------------------------------------------------------------ cases
@@ -319,6 +352,11 @@ public abstract class CompiledCode extends FrameAccess {
 
   // ------------------------------------------------------------------ messages and slots
 
+  /** Sends a message to a target that has been evaluated; the arguments are evaluated here. */
+  protected static UrbiObject send(UrbiObject target, Frame frame, MessageSend message) {
+    return message.sendTo(frame, target);
+  }
+
   protected static @Nullable UrbiObject find(UrbiObject target, Frame frame, MessageSend message) {
     try {
       return message.find(frame, target);
@@ -416,11 +454,6 @@ public abstract class CompiledCode extends FrameAccess {
     }
   }
 
-  /** Whether the job may change everything. */
-  protected static boolean isOwner(Frame frame) {
-    return frame.job.isOwner();
-  }
-
   protected static UrbiObject assign(
       UrbiObject target,
       UrbiObject value,
@@ -506,9 +539,8 @@ public abstract class CompiledCode extends FrameAccess {
   }
 
   /** Replaces the element at an index; false if something is not as expected. */
-  protected static boolean setElement(
-      UrbiObject target, double index, UrbiObject value, Frame frame) {
-    if (target instanceof UrbiList list && frame.job.isOwner()) {
+  protected static boolean setElement(UrbiObject target, double index, UrbiObject value, Job job) {
+    if (target instanceof UrbiList list && job.isOwner()) {
       Elements elements = list.modify();
       int place = place(index, elements.size());
       if (place >= 0) {
@@ -521,8 +553,8 @@ public abstract class CompiledCode extends FrameAccess {
   }
 
   /** Adds an element at the end; false if something is not as expected. */
-  protected static boolean append(UrbiObject target, UrbiObject value, Frame frame) {
-    if (target instanceof UrbiList list && frame.job.isOwner()) {
+  protected static boolean append(UrbiObject target, UrbiObject value, Job job) {
+    if (target instanceof UrbiList list && job.isOwner()) {
       list.modify().add(value);
       list.noteContentChange();
       return true;

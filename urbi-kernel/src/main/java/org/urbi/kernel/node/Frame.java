@@ -116,6 +116,21 @@ public final class Frame implements Place {
         null);
   }
 
+  /** The frame of a call of compiled code that has no shared variables. */
+  Frame plainCall(CallSite from, UrbiObject target, Function called) {
+    return new Frame(
+        interpreter,
+        job,
+        depth + 1,
+        this,
+        from,
+        target,
+        called,
+        NO_ARGUMENTS,
+        FrameLayout.NO_CELLS,
+        null);
+  }
+
   /** The frame of code evaluated on behalf of a library function called at that site. */
   public Frame nested(@Nullable CallSite from, UrbiObject target, FrameLayout layout) {
     return new Frame(

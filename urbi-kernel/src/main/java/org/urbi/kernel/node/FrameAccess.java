@@ -47,15 +47,6 @@ abstract class FrameAccess extends Node {
     return value;
   }
 
-  /**
-   * Writes a pair to a variable in the frame if others may read it at any time; returns the object
-   * of the pair, if there is one.
-   */
-  protected static @Nullable UrbiObject expose(
-      double number, @Nullable UrbiObject object, Frame frame, int index) {
-    return frame.isExposed() ? write(number, object, frame, index) : object;
-  }
-
   protected static Job job(Frame frame) {
     return frame.job;
   }
@@ -64,9 +55,13 @@ abstract class FrameAccess extends Node {
     return frame.self;
   }
 
-  /** Whether others may read and assign the variables of the frame at any time. */
-  protected static boolean isExposed(Frame frame) {
-    return frame.isExposed();
+  /**
+   * Whether others may read and assign the variables of the frame at any time.
+   *
+   * @param frame null if nobody has needed it until now
+   */
+  protected static boolean isExposed(@Nullable Frame frame) {
+    return frame != null && frame.isExposed();
   }
 
   /** An error that has no place yet gets that of a node, if there is one. */

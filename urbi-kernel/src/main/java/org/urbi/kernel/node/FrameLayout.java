@@ -5,7 +5,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** The number of variables of an activation; complete once all of its code has been compiled. */
 public final class FrameLayout {
   private static final UrbiObject[] NO_LOCALS = {};
-  private static final Cell[] NO_CELLS = {};
+  static final Cell[] NO_CELLS = {};
 
   private int locals;
   private int cells;
@@ -22,6 +22,10 @@ public final class FrameLayout {
 
   public int locals() {
     return locals;
+  }
+
+  boolean hasCells() {
+    return cells > 0;
   }
 
   UrbiObject[] newLocals() {

@@ -117,6 +117,11 @@ public final class Function extends Code {
       return layout.locals();
     }
 
+    /** Whether there are variables that closures or other jobs can reach. */
+    public boolean hasCells() {
+      return layout.hasCells();
+    }
+
     /** Whether it is being compiled. */
     public boolean isCompiling() {
       return compiling;
@@ -287,7 +292,7 @@ public final class Function extends Code {
 
   private UrbiObject execute(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     Frame frame = caller.call(site, boundSelf == null ? self : boundSelf, this, locals);
-    caller.interpreter.enter(frame);
+    caller.interpreter.enter(frame.job, frame.depth);
     if (!body.plain) {
       prepare(frame);
     }
@@ -300,13 +305,6 @@ public final class Function extends Code {
         frame.scopeEnd.run();
       }
     }
-  }
-
-  /** The frame of a call whose parameters compiled code has. */
-  Frame enter(Frame caller, CallSite site, UrbiObject self) {
-    Frame frame = caller.call(site, boundSelf == null ? self : boundSelf, this, Frame.NO_ARGUMENTS);
-    caller.interpreter.enter(frame);
-    return frame;
   }
 
   /** An exception leaves a call: it answers with the value of a return, or throws again. */

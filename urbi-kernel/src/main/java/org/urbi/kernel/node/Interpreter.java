@@ -154,10 +154,10 @@ public final class Interpreter {
   }
 
   /** The checks at the start of each function call. */
-  void enter(Frame frame) {
-    if (frame.depth > callLimit) {
-      frame.job.checkInterrupted();
-      if (frame.depth > maximumDepth || !frame.job.budget().allows(Resource.DEPTH, frame.depth)) {
+  void enter(Job job, int depth) {
+    if (depth > callLimit) {
+      job.checkInterrupted();
+      if (depth > maximumDepth || !job.budget().allows(Resource.DEPTH, depth)) {
         throw errors.scheduling(Problem.STACK_EXHAUSTED);
       }
     }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiCode;
@@ -61,8 +62,8 @@ public record KnownSlot(
   }
 
   /** Sets the slot, if it is here; returns whether it has done so. */
-  public boolean set(UrbiObject target, UrbiObject value, Frame frame) {
-    if (isExpected(target) && (shape != null || name.epoch() == epoch) && frame.job.isOwner()) {
+  public boolean set(UrbiObject target, UrbiObject value, Job job) {
+    if (isExpected(target) && (shape != null || name.epoch() == epoch) && job.isOwner()) {
       target.setSlotAt(index, value);
       return true;
     }

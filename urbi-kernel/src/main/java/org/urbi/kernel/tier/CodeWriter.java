@@ -19,6 +19,7 @@ abstract class CodeWriter {
   final Unit unit;
   final Values values;
   private final int frame;
+  private final int by;
   private final int job;
 
   /** The first slot that nothing is kept in. */
@@ -27,15 +28,16 @@ abstract class CodeWriter {
   /** The node whose place errors have that have none, of what is being emitted; or null. */
   private @Nullable Node place;
 
-  /** Emits the beginning of the method, whose first parameter is the frame. */
+  /** Emits the beginning of the method; {@link EmitFunction} tells the parameters of functions. */
   CodeWriter(CodeBuilder code, Unit unit) {
     this.code = code;
     this.unit = unit;
     this.values = unit.values();
     this.frame = code.parameterSlot(0);
+    this.by = code.parameterSlot(unit.isLoop() ? 0 : 1);
     this.job = code.allocateLocal(TypeKind.REFERENCE);
     this.free = job + 1;
-    frame();
+    code.aload(by);
     help("job", Names.JOB, Names.FRAME);
     code.astore(job);
   }
@@ -161,9 +163,43 @@ abstract class CodeWriter {
 
   // ------------------------------------------------------------------ the Java machine
 
-  /** Pushes the frame. */
+  /** Pushes the frame. That of a function is made now, if nobody has needed it until now. */
   void frame() {
     code.aload(frame);
+    if (!unit.isLoop()) {
+      for (int i = 1; i < EmitFunction.BODY_PARAMETERS; i++) {
+        code.aload(code.parameterSlot(i));
+      }
+      help(
+          unit.hasCells() ? "frameWithCells" : "frame",
+          Names.FRAME,
+          Names.FRAME,
+          Names.FRAME,
+          Names.FUNCTION,
+          Names.SITE,
+          Names.OBJECT);
+      code.dup().astore(frame);
+    }
+  }
+
+  /** Pushes the frame, or null if nobody has needed it until now. */
+  void frameIfAny() {
+    code.aload(frame);
+  }
+
+  /** Pushes the frame that keeps the number with which a function answers. */
+  void answered() {
+    code.aload(by);
+  }
+
+  /** Pushes {@code this} of urbiscript. */
+  void self() {
+    if (unit.isLoop()) {
+      frame();
+      help("self", Names.OBJECT, Names.FRAME);
+    } else {
+      code.aload(code.parameterSlot(EmitFunction.SELF));
+    }
   }
 
   /** Pushes the job. */

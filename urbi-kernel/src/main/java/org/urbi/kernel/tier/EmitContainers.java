@@ -60,8 +60,8 @@ final class EmitContainers {
         to.load(arguments.getLast());
         to.code.astore(result.object());
         to.code.aload(target).dload(index).aload(result.object());
-        to.frame();
-        to.help("setElement", CD_boolean, Names.OBJECT, CD_double, Names.OBJECT, Names.FRAME);
+        to.job();
+        to.help("setElement", CD_boolean, Names.OBJECT, CD_double, Names.OBJECT, Names.JOB);
         to.code.ifeq(otherwise);
       }
       case SET_ENTRY -> {
@@ -77,8 +77,8 @@ final class EmitContainers {
       case APPEND -> {
         to.code.aload(target);
         to.load(arguments.getFirst());
-        to.frame();
-        to.help("append", CD_boolean, Names.OBJECT, Names.OBJECT, Names.FRAME);
+        to.job();
+        to.help("append", CD_boolean, Names.OBJECT, Names.OBJECT, Names.JOB);
         to.code.ifeq(otherwise);
         to.code.aload(target).astore(result.object());
       }

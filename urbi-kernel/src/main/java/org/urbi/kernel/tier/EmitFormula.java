@@ -126,7 +126,8 @@ final class EmitFormula {
     arithmetic.setNumber(result);
     to.code.goto_(over);
     to.code.labelBinding(slow);
-    to.code.aload(unknown(operator).object()).astore(result.object());
+    countMiss(operator);
+    to.code.aload(to.unknown(operator, false).object()).astore(result.object());
     to.code.labelBinding(over);
     return result;
   }
@@ -142,7 +143,8 @@ final class EmitFormula {
     arithmetic.jumpUnless(operator, otherwise);
     to.code.goto_(over);
     to.code.labelBinding(slow);
-    to.statements().truth(unknown(operator), otherwise);
+    countMiss(operator);
+    to.unknownCondition(operator, otherwise);
     to.code.labelBinding(over);
   }
 
@@ -198,11 +200,10 @@ final class EmitFormula {
     return assignment.sign() < 0 || isOfNumbers(operand);
   }
 
-  private Value unknown(NumericOperator operator) {
+  private void countMiss(NumericOperator operator) {
     if (readsSlots(operator)) {
       slots.missed();
     }
-    return to.unknown(operator, false);
   }
 
   /**
@@ -277,8 +278,7 @@ final class EmitFormula {
 
     private int self() {
       int self = to.newObject();
-      to.frame();
-      to.help("self", Names.OBJECT, Names.FRAME);
+      to.self();
       to.code.astore(self);
       return self;
     }

@@ -17,7 +17,8 @@ import org.urbi.kernel.node.Node;
 
 /**
  * Emits a function: its body, whose parameters are pairs, and the two ways to it. The interpreter
- * has made a frame with the arguments; other compiled code passes pairs, and a frame is made here.
+ * has made a frame with the arguments. Other compiled code passes pairs, and a frame is made when
+ * something needs one: what the body calls, or an error.
  */
 record EmitFunction(Node body) implements Tier.Emission {
   /** With more parameters a function is not called by passing pairs. */
@@ -32,10 +33,19 @@ record EmitFunction(Node body) implements Tier.Emission {
   private static final String BODY = "body";
   private static final int PAIR = 3;
 
+  // The parameters of the body, before the pairs: the frame, or null if there is none yet; what it
+  // is made of, which begins with the frame of who called; the last two are null, and the first two
+  // the same, if the interpreter has called.
+  private static final int FRAME = 0;
+  private static final int BY = 1;
+  private static final int SITE = 3;
+  static final int SELF = 4;
+  static final int BODY_PARAMETERS = 5;
+
   /** The type of {@link #CALL}. */
   static MethodTypeDesc callType(int parameters) {
     List<ClassDesc> types =
-        new ArrayList<>(List.of(Names.FUNCTION, Names.FRAME, Names.MESSAGE, Names.OBJECT));
+        new ArrayList<>(List.of(Names.FUNCTION, Names.FRAME, Names.SITE, Names.OBJECT));
     return MethodTypeDesc.of(Names.OBJECT, withPairs(types, parameters));
   }
 
@@ -48,8 +58,10 @@ record EmitFunction(Node body) implements Tier.Emission {
   }
 
   private static MethodTypeDesc bodyType(int parameters) {
-    return MethodTypeDesc.of(
-        Names.OBJECT, withPairs(new ArrayList<>(List.of(Names.FRAME)), parameters));
+    List<ClassDesc> types =
+        new ArrayList<>(
+            List.of(Names.FRAME, Names.FRAME, Names.FUNCTION, Names.SITE, Names.OBJECT));
+    return MethodTypeDesc.of(Names.OBJECT, withPairs(types, parameters));
   }
 
   @Override
@@ -59,7 +71,7 @@ record EmitFunction(Node body) implements Tier.Emission {
         BODY,
         bodyType(parameters),
         ClassFile.ACC_STATIC | ClassFile.ACC_PRIVATE,
-        code -> Emitter.ofFunction(code, unit).function(body));
+        code -> body(code, unit));
     type.withMethodBody("run", Tier.RUN, ClassFile.ACC_PUBLIC, code -> run(code, unit, parameters));
     if (parameters <= MOST_PARAMETERS) {
       type.withMethodBody(
@@ -72,10 +84,41 @@ record EmitFunction(Node body) implements Tier.Emission {
     }
   }
 
+  /** The body, and what happens when compiled code has called and it is over. */
+  private void body(CodeBuilder code, Unit unit) {
+    Emitter to = Emitter.ofFunction(code, unit);
+    int answer = to.newObject();
+    Label over = code.newLabel();
+    Label end = code.newLabel();
+    Label start = to.beginRange();
+    to.function(body, over);
+    code.labelBinding(over);
+    code.astore(answer).labelBinding(end);
+    Label last = code.newLabel();
+    code.aload(SITE).ifnull(last);
+    Label leaving = code.newBoundLabel();
+    code.aload(FRAME);
+    Emitter.help(code, "end", CD_void, Names.FRAME);
+    code.labelBinding(last);
+    code.aload(answer).areturn();
+    Label handler = code.newBoundLabel();
+    int thrown = to.newObject();
+    Label called = code.newLabel();
+    code.astore(thrown).aload(SITE).ifnonnull(called).aload(thrown).athrow();
+    code.labelBinding(called).aload(thrown);
+    to.frame();
+    Emitter.help(code, "left", Names.OBJECT, Names.THROWABLE, Names.FRAME);
+    code.astore(answer).goto_(leaving);
+    code.exceptionCatchAll(start, end, handler);
+  }
+
   /** The interpreter calls: the parameters are in the frame, and an object is wanted. */
   private static void run(CodeBuilder code, Unit unit, int parameters) {
     int frame = code.parameterSlot(0);
-    code.aload(frame);
+    code.aload(frame).aload(frame).aload(frame);
+    Emitter.help(code, "function", Names.FUNCTION, Names.FRAME);
+    code.aconst_null().aload(frame);
+    Emitter.help(code, "self", Names.OBJECT, Names.FRAME);
     if (parameters > 0) {
       int locals = code.allocateLocal(TypeKind.REFERENCE);
       code.aload(frame);
@@ -117,35 +160,14 @@ record EmitFunction(Node body) implements Tier.Emission {
 
   /** Compiled code calls. */
   private static void direct(CodeBuilder code, Unit unit, int parameters) {
+    int called = code.parameterSlot(0);
     int caller = code.parameterSlot(1);
-    int frame = code.allocateLocal(TypeKind.REFERENCE);
-    int answer = code.allocateLocal(TypeKind.REFERENCE);
-    for (int i = 0; i < 4; i++) {
-      code.aload(code.parameterSlot(i));
-    }
-    Emitter.help(
-        code, "enter", Names.FRAME, Names.FUNCTION, Names.FRAME, Names.MESSAGE, Names.OBJECT);
-    code.astore(frame);
-    Label start = code.newBoundLabel();
-    code.aload(frame);
-    pass(code, parameters, code.parameterSlot(3) + 1);
-    code.invokestatic(unit.owner(), BODY, bodyType(parameters)).astore(answer);
-    Label end = code.newBoundLabel();
-    Label over = code.newBoundLabel();
-    code.aload(frame);
-    Emitter.help(code, "end", CD_void, Names.FRAME);
-    Label object = code.newLabel();
-    code.aload(answer).ifnonnull(object);
-    code.aload(frame);
-    Emitter.help(code, "answer", CD_double, Names.FRAME);
-    code.aload(caller);
-    Emitter.help(code, "setAnswer", CD_void, CD_double, Names.FRAME);
-    code.labelBinding(object);
-    code.aload(answer).areturn();
-    Label handler = code.newBoundLabel();
-    code.aload(frame);
-    Emitter.help(code, "left", Names.OBJECT, Names.THROWABLE, Names.FRAME);
-    code.astore(answer).goto_(over);
-    code.exceptionCatchAll(start, end, handler);
+    int at = code.parameterSlot(2);
+    int self = code.parameterSlot(3);
+    code.aload(caller).aload(at);
+    Emitter.help(code, "enter", CD_void, Names.FRAME, Names.SITE);
+    code.aconst_null().aload(caller).aload(called).aload(at).aload(self);
+    pass(code, parameters, self + 1);
+    code.invokestatic(unit.owner(), BODY, bodyType(parameters)).areturn();
   }
 }

@@ -46,8 +46,7 @@ final class EmitMessages {
     int receiver = to.newObject();
     Node target = message.target();
     if (target == null) {
-      to.frame();
-      to.help("self", Names.OBJECT, Names.FRAME);
+      to.self();
     } else {
       to.load(to.operand(target));
     }
@@ -100,7 +99,8 @@ final class EmitMessages {
         containers.take(shortcut, receiver, List.of(), result, next);
         to.code.goto_(over);
       } else if (callee != null) {
-        call(callee, message, receiver, List.of(), result, next);
+        unlessOutdated(callee, next);
+        call(callee, message, receiver, List.of(), result);
         to.code.goto_(over);
       } else {
         slots.read(place, receiver);
@@ -109,20 +109,35 @@ final class EmitMessages {
       }
       to.code.labelBinding(next);
     }
-    find(message, receiver, found, !places.isEmpty());
     if (hasCode) {
+      countMiss(places);
+      find(message, receiver, found);
       to.code.labelBinding(answers);
+      answer(message, receiver, found);
+    } else {
+      countMiss(places);
+      ask(message, receiver);
     }
-    answer(message, receiver, found);
     to.code.astore(found);
     to.afterOthers();
     to.code.labelBinding(over);
   }
 
-  private void find(MessageSend message, int receiver, int found, boolean missed) {
-    if (missed) {
+  private void countMiss(List<KnownSlot> places) {
+    if (!places.isEmpty()) {
       slots.missed();
     }
+  }
+
+  /** Sends the message, with all that belongs to it. */
+  private void ask(MessageSend message, int receiver) {
+    to.code.aload(receiver);
+    to.frame();
+    to.constant(message, Names.MESSAGE);
+    to.help("send", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.MESSAGE);
+  }
+
+  private void find(MessageSend message, int receiver, int found) {
     to.code.aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
@@ -140,6 +155,34 @@ final class EmitMessages {
   // ------------------------------------------------------------------ with arguments
 
   private void send(MessageSend message, int receiver, Value result) {
+    List<KnownSlot> places = slots.places(message.lookup(), message.target());
+    int count = message.argumentNodes().length;
+    Callee only = places.size() == 1 ? callee(places.getFirst().code(), count) : null;
+    if (only == null) {
+      sendToAny(message, receiver, places, result);
+    } else {
+      send(message, receiver, places, only, result);
+    }
+  }
+
+  /** Sends a message that has been answered by one function only. */
+  private void send(
+      MessageSend message, int receiver, List<KnownSlot> places, Callee callee, Value result) {
+    Label other = to.code.newLabel();
+    Label over = to.code.newLabel();
+    slots.check(places.getFirst(), receiver, other);
+    unlessOutdated(callee, other);
+    call(callee, message, receiver, arguments(message), result);
+    to.code.goto_(over);
+    to.code.labelBinding(other);
+    countMiss(places);
+    Value answer = to.beside(message, () -> ask(message, receiver));
+    to.code.aload(answer.object()).astore(result.object());
+    to.afterOthers();
+    to.code.labelBinding(over);
+  }
+
+  private void sendToAny(MessageSend message, int receiver, List<KnownSlot> places, Value result) {
     int count = message.argumentNodes().length;
     int found = to.newObject();
     int known = to.newObject();
@@ -150,7 +193,6 @@ final class EmitMessages {
     Map<UrbiCode, Callee> callees = new LinkedHashMap<>();
     Map<UrbiCode, Shortcut> shortcuts = new LinkedHashMap<>();
     to.code.aconst_null().astore(known);
-    List<KnownSlot> places = slots.places(message.lookup(), message.target());
     for (KnownSlot place : places) {
       Label next = to.code.newLabel();
       slots.check(place, receiver, next);
@@ -165,13 +207,18 @@ final class EmitMessages {
       if (code != null && shortcut != null) {
         shortcuts.put(code, shortcut);
       }
-      if (callee != null || shortcut != null) {
+      if (callee != null) {
+        Label outdated = to.code.newLabel();
+        unlessOutdated(callee, outdated);
+        to.code.aload(found).astore(known).labelBinding(outdated);
+      } else if (shortcut != null) {
         to.code.aload(found).astore(known);
       }
       to.code.goto_(code != null && CompiledCode.takes(code, count) ? ready : asked);
       to.code.labelBinding(next);
     }
-    find(message, receiver, found, !places.isEmpty());
+    countMiss(places);
+    find(message, receiver, found);
     to.code.labelBinding(asked);
     to.code.aload(found).loadConstant(count);
     to.help("takes", CD_boolean, Names.OBJECT, CD_int);
@@ -185,7 +232,7 @@ final class EmitMessages {
             next -> containers.take(shortcut, receiver, arguments, result, next),
             over));
     callees.forEach((code, callee) ->
-        when(known, code, next -> call(callee, message, receiver, arguments, result, next), over));
+        when(known, code, next -> call(callee, message, receiver, arguments, result), over));
     call(message, receiver, found, arguments);
     to.code.astore(result.object());
     to.afterOthers();
@@ -222,8 +269,7 @@ final class EmitMessages {
           Label over = to.code.newLabel();
           if (count > 0) {
             int receiver = to.newObject();
-            to.frame();
-            to.help("self", Names.OBJECT, Names.FRAME);
+            to.self();
             to.code.astore(receiver).aload(found).loadConstant(count);
             to.help("takes", CD_boolean, Names.OBJECT, CD_int);
             to.code.ifeq(lazy);
@@ -291,23 +337,24 @@ final class EmitMessages {
         Names.SITE);
   }
 
-  /** Calls a function that is known; jumps if its code has become outdated. */
-  private void call(
-      Callee callee,
-      MessageSend message,
-      int receiver,
-      List<Value> arguments,
-      Value result,
-      Label otherwise) {
-    MethodTypeDesc type = EmitFunction.callType(arguments.size());
+  /** Jumps if other code of the function would be faster. */
+  private void unlessOutdated(Callee callee, Label otherwise) {
     if (callee.compiled != null) {
       to.constant(callee.compiled.misses(), Names.MISSES);
       to.code.invokevirtual(Names.MISSES, "isOver", MethodTypeDesc.of(CD_boolean)).ifne(otherwise);
+    }
+  }
+
+  /** Calls a function that is known. */
+  private void call(
+      Callee callee, CallSite message, int receiver, List<Value> arguments, Value result) {
+    MethodTypeDesc type = EmitFunction.callType(arguments.size());
+    if (callee.compiled != null) {
       to.constant(callee.compiled, Names.COMPILED_CODE);
     }
     to.constant(callee.function, Names.FUNCTION);
     to.frame();
-    to.constant(message, Names.MESSAGE);
+    to.constant(message, Names.SITE);
     to.code.aload(receiver);
     arguments.forEach(this::pass);
     if (callee.compiled == null) {
@@ -317,7 +364,7 @@ final class EmitMessages {
     }
     Label object = to.code.newLabel();
     to.code.dup().astore(result.object()).ifnonnull(object);
-    to.frame();
+    to.frameIfAny();
     to.help("answer", CD_double, Names.FRAME);
     to.code.dstore(result.number());
     to.code.labelBinding(object);

@@ -34,7 +34,7 @@ final class EmitSlots {
   private static final MethodTypeDesc IS_OF = MethodTypeDesc.of(CD_boolean, Names.OBJECT);
   private static final MethodTypeDesc READ = MethodTypeDesc.of(Names.OBJECT, Names.OBJECT);
   private static final MethodTypeDesc SET =
-      MethodTypeDesc.of(CD_boolean, Names.OBJECT, Names.OBJECT, Names.FRAME);
+      MethodTypeDesc.of(CD_boolean, Names.OBJECT, Names.OBJECT, Names.JOB);
 
   private static final MethodTypeDesc NUMBER = MethodTypeDesc.of(CD_double, Names.SHAPE, CD_int);
   private static final MethodTypeDesc BITS = MethodTypeDesc.of(CD_long, CD_double);
@@ -177,8 +177,8 @@ final class EmitSlots {
   /** Sets a slot to a number of which there is no object; jumps if it has not done so. */
   void setNumber(Shape shape, int index, int target, int number, Label otherwise) {
     to.doubt(otherwise);
-    to.frame();
-    to.help("isOwner", CD_boolean, Names.FRAME);
+    to.job();
+    to.code.invokevirtual(Names.JOB, "isOwner", MethodTypeDesc.of(CD_boolean));
     to.code.ifeq(otherwise).aload(target);
     to.constant(shape, Names.SHAPE);
     to.code.loadConstant(index).dload(number);
@@ -294,7 +294,7 @@ final class EmitSlots {
     to.doubt(slow);
     place(place, target);
     to.code.aload(value.object());
-    to.frame();
+    to.job();
     to.code.invokevirtual(Names.KNOWN_SLOT, "set", SET).ifne(over);
   }
 

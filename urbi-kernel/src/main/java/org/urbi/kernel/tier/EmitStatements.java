@@ -87,6 +87,30 @@ final class EmitStatements {
     return true;
   }
 
+  /** Emits what a function does last, and leaves it; false, and nothing is emitted, for others. */
+  boolean last(Node node) {
+    if (node instanceof Sequences.Chain chain) {
+      begin(chain);
+      to.last(chain.statements()[chain.statements().length - 1]);
+    } else if (node instanceof Sequences.Located located) {
+      to.last(located.code());
+    } else if (node instanceof Conditionals.If choice) {
+      Label otherwise = to.code.newLabel();
+      to.located(choice, () -> to.condition(choice.condition(), otherwise));
+      to.last(choice.thenClause());
+      to.code.labelBinding(otherwise);
+      Node elseClause = choice.elseClause();
+      if (elseClause == null) {
+        to.answer(to.voidValue());
+      } else {
+        to.last(elseClause);
+      }
+    } else {
+      return false;
+    }
+    return true;
+  }
+
   private void effect(Conditionals.If choice) {
     Label otherwise = to.code.newLabel();
     to.located(choice, () -> to.condition(choice.condition(), otherwise));
@@ -235,6 +259,10 @@ final class EmitStatements {
     }
     if (value.hasObject()) {
       to.code.aload(value.object());
+      to.loadBoolean(true);
+      to.code.if_acmpeq(over).aload(value.object());
+      to.loadBoolean(false);
+      to.code.if_acmpeq(otherwise).aload(value.object());
       to.frame();
       to.place();
       to.help("truth", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME, Names.NODE);

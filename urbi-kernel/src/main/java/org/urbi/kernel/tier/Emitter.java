@@ -1,5 +1,7 @@
 package org.urbi.kernel.tier;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.classfile.CodeBuilder;
 import java.lang.classfile.Label;
 import java.lang.constant.ConstantDescs;
@@ -47,6 +49,9 @@ final class Emitter extends CodeWriter {
   private final EmitLoops loops;
   private final EmitTry tries;
 
+  /** Where a function goes when it is over; null for a loop. */
+  private @Nullable Label over;
+
   private Emitter(CodeBuilder code, Unit unit) {
     super(code, unit);
     this.doubt = unit.doubt();
@@ -77,7 +82,8 @@ final class Emitter extends CodeWriter {
   static Emitter ofFunction(CodeBuilder code, Unit unit) {
     Emitter to = new Emitter(code, unit);
     for (int i = 0; i < unit.known(); i++) {
-      to.variables.add(new Value(code.parameterSlot(1 + 2 * i), code.parameterSlot(2 + 2 * i), i));
+      int pair = EmitFunction.BODY_PARAMETERS + 2 * i;
+      to.variables.add(new Value(code.parameterSlot(pair), code.parameterSlot(pair + 1), i));
     }
     to.addVariables(unit.known());
     return to;
@@ -95,9 +101,17 @@ final class Emitter extends CodeWriter {
 
   // ------------------------------------------------------------------ what is emitted
 
-  /** Emits a whole function. */
-  void function(Node body) {
-    answer(lastStatement(body));
+  /** Emits a whole function; jumps when it is over, with its answer on the stack. */
+  void function(Node body, Label over) {
+    this.over = over;
+    last(body);
+  }
+
+  /** Emits what a function does last, and leaves it with the value of that. */
+  void last(Node node) {
+    if (!statements.last(node)) {
+      answer(lastStatement(node));
+    }
   }
 
   EmitArithmetic arithmetic() {
@@ -133,23 +147,32 @@ final class Emitter extends CodeWriter {
     return unit.guarded();
   }
 
-  /** Leaves a function: a number without an object is left in the frame. */
+  /** Leaves a function: a number without an object is left in the frame of who called. */
   void answer(Value value) {
-    if (!value.hasNumber() || value.isVariable() && survey.mayExpose(value.variable())) {
+    Label end = requireNonNull(over, "only functions answer");
+    if (!value.hasNumber()) {
       load(value);
-      code.areturn();
+      code.goto_(end);
       return;
+    }
+    if (value.isVariable() && survey.mayExpose(value.variable())) {
+      // Others may ask for the variable when this is over.
+      Label unseen = code.newLabel();
+      ifExposed(unseen);
+      load(value);
+      code.goto_(end);
+      code.labelBinding(unseen);
     }
     if (value.hasObject()) {
       Label number = code.newLabel();
       code.aload(value.object()).ifnull(number);
-      code.aload(value.object()).areturn();
+      code.aload(value.object()).goto_(end);
       code.labelBinding(number);
     }
     code.dload(value.number());
-    frame();
+    answered();
     help("setAnswer", ConstantDescs.CD_void, ConstantDescs.CD_double, Names.FRAME);
-    code.aconst_null().areturn();
+    code.aconst_null().goto_(end);
   }
 
   /** Emits a statement, after which jumps of code that is not compiled are looked for. */
@@ -180,8 +203,7 @@ final class Emitter extends CodeWriter {
       return storedNumber();
     }
     if (node instanceof Literals.This) {
-      frame();
-      help("self", Names.OBJECT, Names.FRAME);
+      self();
       return storedObject();
     }
     Value value = statements.value(node);
@@ -267,6 +289,22 @@ final class Emitter extends CodeWriter {
     return result;
   }
 
+  /** The same for a condition, after which the code goes on if it holds. */
+  void unknownCondition(Node node, Label otherwise) {
+    int holds = newFlag();
+    beside(
+        node,
+        () -> {
+          constant(node, Names.NODE);
+          frame();
+          place();
+          help("holds", ConstantDescs.CD_boolean, Names.NODE, Names.FRAME, Names.NODE);
+          code.istore(holds);
+          loadVoid();
+        });
+    code.iload(holds).ifeq(otherwise);
+  }
+
   // ------------------------------------------------------------------ code that sees the frame
 
   /**
@@ -329,19 +367,26 @@ final class Emitter extends CodeWriter {
     BitSet changed = changedBy(new Survey());
     if (!changed.isEmpty()) {
       Label over = code.newLabel();
-      frame();
-      help("isExposed", ConstantDescs.CD_boolean, Names.FRAME);
-      code.ifeq(over);
+      ifExposed(over);
       read(changed);
       code.labelBinding(over);
     }
   }
 
+  /** Jumps unless others may read and assign the variables at any time. */
+  private void ifExposed(Label otherwise) {
+    frameIfAny();
+    help("isExposed", ConstantDescs.CD_boolean, Names.FRAME);
+    code.ifeq(otherwise);
+  }
+
   /** A variable has changed: whoever has unevaluated arguments of this code sees it. */
   void afterStore(Value variable) {
     if (survey.mayExpose(variable.variable())) {
-      pushPair(variable);
-      write("expose", variable);
+      Label over = code.newLabel();
+      ifExposed(over);
+      write(variable);
+      code.labelBinding(over);
     }
   }
 
@@ -364,17 +409,13 @@ final class Emitter extends CodeWriter {
     which.stream().forEach(this::read);
   }
 
+  /** Writes a variable to the frame, and keeps the object that it may get. */
   private void write(Value variable) {
     pushPair(variable);
-    write("write", variable);
-  }
-
-  /** Lets a method write the pair on the stack to the frame, and keeps the object it may get. */
-  private void write(String method, Value variable) {
     frame();
     code.loadConstant(variable.variable());
     help(
-        method,
+        "write",
         Names.OBJECT,
         ConstantDescs.CD_double,
         Names.OBJECT,
@@ -469,6 +510,8 @@ final class Emitter extends CodeWriter {
       code.aload(value.object()).ifnull(over);
     }
     code.aload(value.object());
+    loadVoid();
+    code.if_acmpne(over).aload(value.object());
     frame();
     place();
     help("notVoid", ConstantDescs.CD_void, Names.OBJECT, Names.FRAME, Names.NODE);

@@ -101,9 +101,9 @@ final class Survey {
     visit(node.finallyClause());
   }
 
-  /** Whether more is gained than an execution of the node takes. */
+  /** Whether more is gained than an execution of the node takes; a call of it, at least. */
   boolean isWorthwhile() {
-    return operations > 0;
+    return operations > 0 || !hides;
   }
 
   /** Whether the code only reads variables and constants. */

@@ -39,6 +39,11 @@ record Unit(
     return function == null;
   }
 
+  /** Whether closures or other jobs can reach variables of the function. */
+  boolean hasCells() {
+    return function != null && function.hasCells();
+  }
+
   /** How many variables have a value at the beginning. */
   int known() {
     return function == null ? locals : function.parameters();
