@@ -141,6 +141,27 @@ class CompiledCodeTest {
             function around(n) { scoped(n) * 2 }|; around(1); around(2); around(3);
             """),
         Map.entry(
+            "closures of one text share code, not variables",
+            """
+            function counter(step) { var count = 0; function () { count += step; count } }|;
+            function run(n) {
+              var a = counter(1); var b = counter(10); var sum = 0;
+              for| (var i : n) { sum += a() + b() };
+              sum
+            }|;
+            run(3); run(20);
+            function twice(f, x) { f(f(x)) }|; class Other { var name = "other" }|;
+            for (var i : 3) echo(twice(function (x) { x * 2 + i }, i));
+            twice(closure (x) { [this === lobby, x] }, "a"); twice(function (x) { nobody + x }, 1);
+            twice(function (a, b) { a }, 1); twice(3, 1); twice(function (x, y = 2) { x + y }, 1);
+            Other.setSlot("twice", getSlotValue("twice"))|; Other.twice(function (x) { [name, x] }, 1);
+            function compose(f, g) { function (x) { f(g(x)) } }|;
+            var one = function (x) { x + 1 }|; var all = compose(&one, compose(&one, &one))|;
+            for (var i : 4) echo(all(i)); all("a"); all(nil);
+            function until(n) { var i = 0; var next = function () { if (i < n) i += 1 else throw i }; loop next() }|;
+            try { until(5) } catch (var e) { echo(e) }; until(3);
+            """),
+        Map.entry(
             "variables are seen after an exception has left loops inside of loops",
             """
             function pairs(n) {

@@ -4,7 +4,6 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiDictionary;
@@ -17,7 +16,7 @@ import org.urbi.kernel.object.UrbiString;
  * What hot code is compiled to, and what such code calls. A value of it is a pair: a double, and an
  * object or null. Null stands for a plain number of which there is no object yet.
  */
-public abstract class CompiledCode extends FrameAccess {
+public abstract class CompiledCode extends CallAccess {
   /** What a loop does next. */
   private static final int RETURN = 0;
 
@@ -111,86 +110,6 @@ public abstract class CompiledCode extends FrameAccess {
       double c,
       @Nullable UrbiObject third) {
     throw new UnsupportedOperationException();
-  }
-
-  /** Begins such a call. */
-  protected static void enter(Frame caller, CallSite at) {
-    try {
-      caller.interpreter.enter(caller.job, caller.depth + 1);
-    } catch (UrbiException e) {
-      throw located(e, caller, at.calledSpan());
-    }
-  }
-
-  /**
-   * The frame of such a call.
-   *
-   * @param frame null if nobody has needed it until now: it is made
-   */
-  protected static Frame frame(
-      @Nullable Frame frame, Frame caller, Function called, CallSite at, UrbiObject self) {
-    return frame == null ? caller.plainCall(at, self, called) : frame;
-  }
-
-  /** The same for a function with variables that others can reach. */
-  protected static Frame frameWithCells(
-      @Nullable Frame frame, Frame caller, Function called, CallSite at, UrbiObject self) {
-    return frame == null ? caller.call(at, self, called, Frame.NO_ARGUMENTS) : frame;
-  }
-
-  /** The function that runs in a frame of one. */
-  // No null check, for speed: only the code of a function asks.
-  @SuppressWarnings("NullAway")
-  protected static Function function(Frame frame) {
-    return frame.function;
-  }
-
-  /** An exception leaves such a call: it answers with the value of a return, or throws again. */
-  protected static UrbiObject left(Throwable leaving, Frame frame) throws Throwable {
-    try {
-      if (leaving instanceof NonLocalExit.Return
-          || leaving instanceof UrbiException
-          || leaving instanceof TagStop) {
-        return Function.left(frame, (RuntimeException) leaving);
-      }
-      throw leaving;
-    } catch (UrbiException e) {
-      end(frame);
-      throw locatedByCaller(e, frame);
-    } catch (Throwable t) {
-      end(frame);
-      throw t;
-    }
-  }
-
-  private static UrbiException locatedByCaller(UrbiException exception, Frame frame) {
-    return frame.caller == null || frame.site == null
-        ? exception
-        : located(exception, frame.caller, frame.site.calledSpan());
-  }
-
-  /**
-   * Such a call is over.
-   *
-   * @param frame null if nobody has needed it
-   */
-  protected static void end(@Nullable Frame frame) {
-    if (frame != null && frame.scopeEnd != null) {
-      try {
-        frame.scopeEnd.run();
-      } catch (UrbiException e) {
-        throw locatedByCaller(e, frame);
-      }
-    }
-  }
-
-  /** Answers such a call with a number. */
-  protected static void setAnswer(double number, Frame frame) {
-    frame.answer = number;
-  }
-
-  protected static double answer(Frame frame) {
-    return frame.answer;
   }
 
   // ------------------------------------------------------------------ values

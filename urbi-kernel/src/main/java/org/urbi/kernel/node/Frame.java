@@ -103,32 +103,14 @@ public final class Frame implements Place {
 
   /** The frame of a call made from this one; the locals begin with the arguments. */
   Frame call(CallSite from, UrbiObject target, Function called, UrbiObject[] arguments) {
-    return new Frame(
-        interpreter,
-        job,
-        depth + 1,
-        this,
-        from,
-        target,
-        called,
-        arguments,
-        called.layout().newCells(),
-        null);
+    return call(from, target, called, arguments, called.layout().newCells());
   }
 
-  /** The frame of a call of compiled code that has no shared variables. */
-  Frame plainCall(CallSite from, UrbiObject target, Function called) {
+  /** The same with the variables that closures or other jobs can reach. */
+  Frame call(
+      CallSite from, UrbiObject target, Function called, UrbiObject[] arguments, Cell[] shared) {
     return new Frame(
-        interpreter,
-        job,
-        depth + 1,
-        this,
-        from,
-        target,
-        called,
-        NO_ARGUMENTS,
-        FrameLayout.NO_CELLS,
-        null);
+        interpreter, job, depth + 1, this, from, target, called, arguments, shared, null);
   }
 
   /** The frame of code evaluated on behalf of a library function called at that site. */

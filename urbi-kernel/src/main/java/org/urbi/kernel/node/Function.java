@@ -107,6 +107,27 @@ public final class Function extends Code {
       return true;
     }
 
+    /**
+     * The compiled code that may be called at once with that many arguments; null if there is none.
+     * It is compiled now if it is not yet.
+     */
+    public @Nullable CompiledCode direct(Frame frame, int arguments) {
+      if (!takesPlainly(arguments) || compiling) {
+        return null;
+      }
+      if (compiled == null
+          && versions == 0
+          && 2 * calls >= frame.interpreter.compiler().threshold()) {
+        compile(frame);
+      }
+      return compiled;
+    }
+
+    /** Whether a call with that many arguments just runs the code with them. */
+    public boolean takesPlainly(int arguments) {
+      return plain && !usesCall && formals != null && formals.isSimple(arguments);
+    }
+
     /** How many parameters there are. */
     public int parameters() {
       return formals == null ? 0 : formals.count();
@@ -191,29 +212,9 @@ public final class Function extends Code {
     return body;
   }
 
-  /**
-   * The compiled code that may be called at once with that many arguments; null if there is none.
-   * It is compiled now if it is not yet.
-   */
-  public @Nullable CompiledCode direct(Frame frame, int arguments) {
-    if (!takesPlainly(arguments) || body.compiling) {
-      return null;
-    }
-    if (body.compiled == null
-        && body.versions == 0
-        && 2 * body.calls >= frame.interpreter.compiler().threshold()) {
-      body.compile(frame);
-    }
-    return body.compiled;
-  }
-
-  /** Whether a call with that many arguments just runs the code with them. */
-  public boolean takesPlainly(int arguments) {
-    return boundLobby == null
-        && body.plain
-        && !body.usesCall
-        && body.formals != null
-        && body.formals.isSimple(arguments);
+  /** Whether a call changes neither the target nor the lobby. */
+  public boolean isUnbound() {
+    return boundLobby == null;
   }
 
   boolean usesCall() {

@@ -105,6 +105,9 @@ public final class MessageSend extends Node implements CallSite {
     private final Node variable;
     private final Node[] arguments;
 
+    /** The code of the function that was called last; or null. */
+    private Function.@Nullable Body called;
+
     public OfLocal(Span span, String name, Node variable, Node[] arguments) {
       super(span);
       this.name = name;
@@ -132,8 +135,16 @@ public final class MessageSend extends Node implements CallSite {
       return variable;
     }
 
+    /** The code of the function that was called last; null if none was. */
+    public Function.@Nullable Body called() {
+      return called;
+    }
+
     /** Calls the value of the variable. */
     UrbiObject answer(Frame frame, UrbiObject value) {
+      if (value instanceof Function function) {
+        called = function.body();
+      }
       return value instanceof Code code
           ? Calls.call(frame, this, code, frame.self, arguments)
           : Calls.plain(frame, this, value, frame.self, arguments);

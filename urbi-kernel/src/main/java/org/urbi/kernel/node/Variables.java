@@ -53,6 +53,11 @@ public final class Variables {
       this.index = index;
     }
 
+    /** The number of the variable among those that the function has captured, or a negative one. */
+    public int captured() {
+      return -1 - index;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       Cell cell = cell(frame, index);
@@ -91,6 +96,14 @@ public final class Variables {
     /** The index among the locals of the frame if it is a plain variable, or -1. */
     public int declaredLocal() {
       return shared ? -1 : index;
+    }
+
+    /**
+     * The number of the variable among those that the function has captured; a negative one if it
+     * is none of these, or constant.
+     */
+    public int captured() {
+      return shared && !constant ? -1 - index : -1;
     }
 
     /** Creates the variable. */

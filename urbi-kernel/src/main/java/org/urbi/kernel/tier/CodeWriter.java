@@ -163,7 +163,7 @@ abstract class CodeWriter {
 
   // ------------------------------------------------------------------ the Java machine
 
-  /** Pushes the frame. That of a function is made now, if nobody has needed it until now. */
+  /** Pushes the frame. That of a function is made here, if nobody has needed it until now. */
   void frame() {
     code.aload(frame);
     if (!unit.isLoop()) {
@@ -190,6 +190,11 @@ abstract class CodeWriter {
   /** Pushes the frame that keeps the number with which a function answers. */
   void answered() {
     code.aload(by);
+  }
+
+  /** Pushes the function that is being executed. */
+  void function() {
+    code.aload(code.parameterSlot(EmitFunction.FUNCTION));
   }
 
   /** Pushes {@code this} of urbiscript. */

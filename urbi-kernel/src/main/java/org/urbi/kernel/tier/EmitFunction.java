@@ -38,6 +38,7 @@ record EmitFunction(Node body) implements Tier.Emission {
   // the same, if the interpreter has called.
   private static final int FRAME = 0;
   private static final int BY = 1;
+  static final int FUNCTION = 2;
   private static final int SITE = 3;
   static final int SELF = 4;
   static final int BODY_PARAMETERS = 5;

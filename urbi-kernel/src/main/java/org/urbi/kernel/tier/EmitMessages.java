@@ -38,9 +38,10 @@ final class EmitMessages {
   /**
    * A function that is called at once.
    *
+   * @param body what it shares with other closures of the same text
    * @param compiled its code; null if that is what is being compiled
    */
-  private record Callee(Function function, @Nullable CompiledCode compiled) {}
+  private record Callee(Function.Body body, @Nullable CompiledCode compiled) {}
 
   Value value(MessageSend message) {
     int receiver = to.newObject();
@@ -65,16 +66,22 @@ final class EmitMessages {
   }
 
   private @Nullable Callee callee(@Nullable UrbiCode code, int arguments) {
-    if (!(code instanceof Function function)
+    return code instanceof Function function && function.isUnbound()
+        ? callee(function.body(), arguments)
+        : null;
+  }
+
+  private @Nullable Callee callee(Function.@Nullable Body body, int arguments) {
+    if (body == null
         || arguments > EmitFunction.MOST_PARAMETERS
         || unit.frame().interpreter().isProfiling()) {
       return null;
     }
-    if (function.body() == unit.function()) {
-      return function.takesPlainly(arguments) ? new Callee(function, null) : null;
+    if (body == unit.function()) {
+      return body.takesPlainly(arguments) ? new Callee(body, null) : null;
     }
-    CompiledCode compiled = function.direct(unit.frame(), arguments);
-    return compiled == null ? null : new Callee(function, compiled);
+    CompiledCode compiled = body.direct(unit.frame(), arguments);
+    return compiled == null ? null : new Callee(body, compiled);
   }
 
   // ------------------------------------------------------------------ without arguments
@@ -100,7 +107,7 @@ final class EmitMessages {
         to.code.goto_(over);
       } else if (callee != null) {
         unlessOutdated(callee, next);
-        call(callee, message, receiver, List.of(), result);
+        call(callee, () -> function(code), message, receiver, List.of(), result);
         to.code.goto_(over);
       } else {
         slots.read(place, receiver);
@@ -109,13 +116,12 @@ final class EmitMessages {
       }
       to.code.labelBinding(next);
     }
+    countMiss(places);
     if (hasCode) {
-      countMiss(places);
       find(message, receiver, found);
       to.code.labelBinding(answers);
       answer(message, receiver, found);
     } else {
-      countMiss(places);
       ask(message, receiver);
     }
     to.code.astore(found);
@@ -157,25 +163,31 @@ final class EmitMessages {
   private void send(MessageSend message, int receiver, Value result) {
     List<KnownSlot> places = slots.places(message.lookup(), message.target());
     int count = message.argumentNodes().length;
-    Callee only = places.size() == 1 ? callee(places.getFirst().code(), count) : null;
-    if (only == null) {
+    UrbiCode code = places.size() == 1 ? places.getFirst().code() : null;
+    Callee callee = callee(code, count);
+    if (code == null || callee == null) {
       sendToAny(message, receiver, places, result);
     } else {
-      send(message, receiver, places, only, result);
+      send(message, receiver, places.getFirst(), code, callee, result);
     }
   }
 
   /** Sends a message that has been answered by one function only. */
   private void send(
-      MessageSend message, int receiver, List<KnownSlot> places, Callee callee, Value result) {
+      MessageSend message,
+      int receiver,
+      KnownSlot place,
+      UrbiCode code,
+      Callee callee,
+      Value result) {
     Label other = to.code.newLabel();
     Label over = to.code.newLabel();
-    slots.check(places.getFirst(), receiver, other);
+    slots.check(place, receiver, other);
     unlessOutdated(callee, other);
-    call(callee, message, receiver, arguments(message), result);
+    call(callee, () -> function(code), message, receiver, arguments(message), result);
     to.code.goto_(over);
     to.code.labelBinding(other);
-    countMiss(places);
+    slots.missed();
     Value answer = to.beside(message, () -> ask(message, receiver));
     to.code.aload(answer.object()).astore(result.object());
     to.afterOthers();
@@ -232,7 +244,11 @@ final class EmitMessages {
             next -> containers.take(shortcut, receiver, arguments, result, next),
             over));
     callees.forEach((code, callee) ->
-        when(known, code, next -> call(callee, message, receiver, arguments, result), over));
+        when(
+            known,
+            code,
+            next -> call(callee, () -> function(code), message, receiver, arguments, result),
+            over));
     call(message, receiver, found, arguments);
     to.code.astore(result.object());
     to.afterOthers();
@@ -257,37 +273,50 @@ final class EmitMessages {
 
   /** A variable of the surrounding code, called as a function. */
   Value value(MessageSend.OfLocal message) {
-    int result = to.newObject();
-    to.located(
-        message,
-        () -> {
-          int found = to.newObject();
-          int count = message.argumentNodes().length;
-          to.load(to.operand(message.variable()));
-          to.code.astore(found);
-          Label lazy = to.code.newLabel();
-          Label over = to.code.newLabel();
-          if (count > 0) {
-            int receiver = to.newObject();
-            to.self();
-            to.code.astore(receiver).aload(found).loadConstant(count);
-            to.help("takes", CD_boolean, Names.OBJECT, CD_int);
-            to.code.ifeq(lazy);
-            call(message, receiver, found, arguments(message));
-            to.code.astore(result);
-            to.afterOthers();
-            to.code.goto_(over);
-            to.code.labelBinding(lazy);
-            Value answer = to.beside(message, () -> answer(message, found));
-            to.code.aload(answer.object()).astore(result);
-          } else {
-            answer(message, found);
-            to.code.astore(result);
-          }
-          to.afterOthers();
-          to.code.labelBinding(over);
-        });
-    return Value.ofObject(result);
+    Value result = to.newPair();
+    to.located(message, () -> send(message, result));
+    return result;
+  }
+
+  private void send(MessageSend.OfLocal message, Value result) {
+    int count = message.argumentNodes().length;
+    int found = to.newObject();
+    int receiver = to.newObject();
+    Label over = to.code.newLabel();
+    to.load(to.operand(message.variable()));
+    to.code.astore(found);
+    to.self();
+    to.code.astore(receiver);
+    Callee callee = callee(message.called(), count);
+    if (callee != null) {
+      Label other = to.code.newLabel();
+      to.doubt(other);
+      to.code.aload(found);
+      to.constant(callee.body, Names.BODY);
+      to.help("isFunction", CD_boolean, Names.OBJECT, Names.BODY);
+      to.code.ifeq(other);
+      unlessOutdated(callee, other);
+      Runnable function = () -> to.code.aload(found).checkcast(Names.FUNCTION);
+      call(callee, function, message, receiver, arguments(message), result);
+      to.code.goto_(over);
+      to.code.labelBinding(other);
+      slots.missed();
+    }
+    if (count > 0) {
+      Label lazy = to.code.newLabel();
+      to.code.aload(found).loadConstant(count);
+      to.help("takes", CD_boolean, Names.OBJECT, CD_int);
+      to.code.ifeq(lazy);
+      call(message, receiver, found, arguments(message));
+      to.code.astore(result.object());
+      to.afterOthers();
+      to.code.goto_(over);
+      to.code.labelBinding(lazy);
+    }
+    Value answer = to.beside(message, () -> answer(message, found));
+    to.code.aload(answer.object()).astore(result.object());
+    to.afterOthers();
+    to.code.labelBinding(over);
   }
 
   private void answer(MessageSend.OfLocal message, int found) {
@@ -345,14 +374,23 @@ final class EmitMessages {
     }
   }
 
-  /** Calls a function that is known. */
+  private void function(UrbiCode code) {
+    to.constant(code, Names.FUNCTION);
+  }
+
+  /** Calls a function whose code is known, and which is pushed by something. */
   private void call(
-      Callee callee, CallSite message, int receiver, List<Value> arguments, Value result) {
+      Callee callee,
+      Runnable function,
+      CallSite message,
+      int receiver,
+      List<Value> arguments,
+      Value result) {
     MethodTypeDesc type = EmitFunction.callType(arguments.size());
     if (callee.compiled != null) {
       to.constant(callee.compiled, Names.COMPILED_CODE);
     }
-    to.constant(callee.function, Names.FUNCTION);
+    function.run();
     to.frame();
     to.constant(message, Names.SITE);
     to.code.aload(receiver);

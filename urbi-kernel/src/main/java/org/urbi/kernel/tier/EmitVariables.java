@@ -1,5 +1,6 @@
 package org.urbi.kernel.tier;
 
+import static java.lang.constant.ConstantDescs.CD_int;
 import static java.lang.constant.ConstantDescs.CD_void;
 
 import org.jspecify.annotations.Nullable;
@@ -22,6 +23,18 @@ final class EmitVariables {
   /** Whether it declares a variable that closures or other jobs can reach. */
   static boolean isPlainlyShared(Variables.Declare declaration) {
     return declaration.place().declaredLocal() < 0 && !declaration.isTyped();
+  }
+
+  /** A variable that closures or other jobs can reach; null, and nothing is emitted, for others. */
+  @Nullable Value value(Variables.Shared shared) {
+    if (shared.captured() < 0 || to.isLoopUnit()) {
+      return null;
+    }
+    to.function();
+    to.code.loadConstant(shared.captured());
+    to.constant(to.values.object.world(), Names.WORLD);
+    to.help("captured", Names.OBJECT, Names.FUNCTION, CD_int, Names.WORLD);
+    return to.storedObject();
   }
 
   Value value(Variables.Declare declaration) {
@@ -61,6 +74,13 @@ final class EmitVariables {
   }
 
   private void assign(Variables.Place place, Value value) {
+    if (place.captured() >= 0 && !to.isLoopUnit()) {
+      to.function();
+      to.code.loadConstant(place.captured()).aload(value.object());
+      to.help("assign", CD_void, Names.FUNCTION, CD_int, Names.OBJECT);
+      to.afterOthers();
+      return;
+    }
     to.frame();
     to.code.aload(value.object());
     to.constant(place, Names.PLACE);

@@ -236,6 +236,9 @@ final class Emitter extends CodeWriter {
     if (node instanceof Literals.Sequence literal) {
       return containers.value(literal);
     }
+    if (node instanceof Variables.Shared shared) {
+      return assignments.value(shared);
+    }
     if (node instanceof MessageSend.OfLocal call) {
       return messages.value(call);
     }

@@ -60,6 +60,7 @@ final class Names {
   static final ClassDesc SHAPE = of(Shape.class);
   static final ClassDesc SLOT_ASSIGNMENT = of(Slots.Assign.class);
   static final ClassDesc SYMBOL = of(Symbol.class);
+  static final ClassDesc BODY = of(Function.Body.class);
   static final ClassDesc CLAUSE = of(Try.Clause.class);
   static final ClassDesc EXCEPTION = of(UrbiException.class);
   static final ClassDesc TRY = of(Try.class);
