@@ -21,12 +21,6 @@ public final class HeapUsage implements Heap {
    */
   private static final double FULL = 0.92;
 
-  /** The share of the time that garbage collection may take. */
-  private static final double MAX_COLLECTING = 0.8;
-
-  /** The period over which that share is measured, in nanoseconds. */
-  private static final long WINDOW = 2_000_000_000;
-
   private static final long MILLISECOND = 1_000_000;
 
   /** So many times memory is kept: somebody is asked, lets go of its jobs, then of its lobby. */
@@ -46,9 +40,7 @@ public final class HeapUsage implements Heap {
 
   private List<GarbageCollectorMXBean> collectors = List.of();
   private List<GarbageCollectorMXBean> oldCollectors = List.of();
-  private long windowBegan;
-  private long collectedBefore;
-  private boolean collecting;
+  private final CollectingShare share = new CollectingShare();
   private final byte[] @Nullable [] reserves = new byte[RESERVES][];
 
   @Override
@@ -106,7 +98,7 @@ public final class HeapUsage implements Heap {
   public boolean isNearlyFull(long now) {
     MemoryUsage left = oldGeneration().getCollectionUsage();
     return left != null && left.getMax() > 0 && left.getUsed() > FULL * left.getMax()
-        || isCollecting(now);
+        || share.isTooMuch(now, collecting(), count(collectors));
   }
 
   @Override
@@ -114,27 +106,19 @@ public final class HeapUsage implements Heap {
     return free() < (1 - FULL) * Runtime.getRuntime().maxMemory();
   }
 
-  private boolean isCollecting(long now) {
-    if (windowBegan == 0 || now - windowBegan > WINDOW) {
-      long collected = collecting();
-      double spent = (double) collected - collectedBefore;
-      collecting = windowBegan != 0 && spent > MAX_COLLECTING * (now - windowBegan);
-      windowBegan = now;
-      collectedBefore = collected;
-    }
-    return collecting;
-  }
-
   @Override
   public void forget() {
-    windowBegan = 0;
-    collecting = false;
+    share.forget();
   }
 
   @Override
   public long collections() {
+    return count(oldCollectors);
+  }
+
+  private static long count(List<GarbageCollectorMXBean> of) {
     long count = 0;
-    for (GarbageCollectorMXBean each : oldCollectors) {
+    for (GarbageCollectorMXBean each : of) {
       count += each.getCollectionCount();
     }
     return count;
