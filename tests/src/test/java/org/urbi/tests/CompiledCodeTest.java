@@ -517,6 +517,18 @@ class CompiledCodeTest {
   }
 
   @Test
+  void codeThatIsTooLongIsInterpreted() {
+    String output =
+        KernelSession.runCompiled(
+            1,
+            0,
+            "function same(a) { a }|; function f(a) {\n"
+                + "a = a + same(1);\n".repeat(300)
+                + "a }|; f(0); System.tier[\"refused\"] > 0;");
+    assertTrue(output.contains("] 300\n") && output.contains("] true\n"), output);
+  }
+
+  @Test
   void hotCodeIsCompiled() {
     String output =
         KernelSession.runCompiled(

@@ -15,12 +15,18 @@ import org.urbi.kernel.object.Values;
  * methods that it calls, and where its errors are.
  */
 abstract class CodeWriter {
+  /** The bytes of an instruction that reads a constant or calls a method. */
+  private static final int SHORTEST = 3;
+
   final CodeBuilder code;
   final Unit unit;
   final Values values;
   private final int frame;
   private final int by;
   private final int job;
+
+  /** How many bytes there are, at least. */
+  private int length;
 
   /** The first slot that nothing is kept in. */
   private int free;
@@ -214,12 +220,22 @@ abstract class CodeWriter {
 
   /** Pushes an object of the kernel. */
   void constant(Object value, ClassDesc type) {
+    grow();
     unit.constant(code, value, type);
   }
 
   /** Calls a method of the superclass. */
   void help(String name, ClassDesc result, ClassDesc... parameters) {
+    grow();
     help(code, name, result, parameters);
+  }
+
+  /** Gives up as soon as the code is too long: a class with much more could not even be made. */
+  private void grow() {
+    length += SHORTEST;
+    if (length > Tier.MOST_BYTES) {
+      throw new TooLong();
+    }
   }
 
   /** Calls a method of the superclass. */

@@ -38,7 +38,7 @@ public final class Tier implements CodeCompiler {
   private static final int MOST_LOCALS = 60;
 
   /** The Java machine never compiles a method with more bytes than this. */
-  private static final int MOST_BYTES = 8000;
+  static final int MOST_BYTES = 8000;
 
   /** How many bytes of classes may be in use at once. */
   private static final long MOST_IN_USE = 8L << 20;
@@ -168,8 +168,8 @@ public final class Tier implements CodeCompiler {
 
   /**
    * Compiles something, if that is possible. Otherwise the interpreter does it as well: where the
-   * stack is nearly exhausted, or a class cannot be loaded because the process has no file
-   * descriptors left. Such a class is missing from then on.
+   * code is long, the stack is nearly exhausted, or a class cannot be loaded because the process
+   * has no file descriptors left. Such a class is missing from then on.
    */
   @Nullable CompiledCode attempt(Supplier<@Nullable CompiledCode> work) {
     CompiledCode compiled = null;
@@ -181,7 +181,7 @@ public final class Tier implements CodeCompiler {
         log.write("urbi: code is not compiled any more: " + e);
       } catch (IllegalArgumentException e) {
         log.write("urbi: code is not compiled: " + e);
-      } catch (StackOverflowError e) {
+      } catch (StackOverflowError | TooLong e) {
         // It is refused.
       }
     }
