@@ -492,6 +492,24 @@ class CompiledCodeTest {
             function shared(n) { var a = n; var add = function () { a += 1; if (a > 2) throw a; a }; try { add() } catch (var e) { [a, e] } }|; shared(1); shared(2); shared(2);
             """),
         Map.entry(
+            "arguments that are evaluated later assign variables",
+            """
+            function later { var c = call | detach({ sleep(3ms) | c.evalArgAt(0) }) | 0 }|;
+            function before(a) { later(a = nan); for (var i : 30) { sleep(1ms); a += 1 }; a }|;
+            before(1); before(2); before(3);
+            function given(a, b = later(a = nan)) { var i = 0; while (i < 30) { i++; sleep(1ms); a += 1 }; a }|;
+            given(1); given(2); given(3);
+            { var a = 1; later(a = nan); for (var i : 30) { sleep(1ms); a += 1 }; a };
+            { var a = 1; for (var k : 3) { for (var i : 30) { sleep(1ms); a += 1 }; echo(a); later(a = k) } };
+            detach({ var a = 1; var i = 0; while (i < 30) { i += 1; sleep(1ms); if (i == 3) later(a = nan); a += i }; echo(a) })|; sleep(50ms);
+            var t = Tag.new|;
+            function tidied(a) { later(a = "late"); for| (var i : 2) { try { sleep(2ms) } finally { echo(a + i) } }; a }|;
+            for (var i : 4) { t: tidied(i), sleep(3ms)|; t.stop; sleep(3ms) };
+            function caught(a) { later(a = "late"); try { sleep(4ms); throw a } catch (var e) { [e, a] } }|;
+            function inside(a) { later(a = "late"); try { for (var i : 9) { sleep(1ms); if (i == 4) throw i } } catch (var e) { [e, a] } }|;
+            for (var i : 3) { echo(caught(i)); echo(inside(i)) };
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

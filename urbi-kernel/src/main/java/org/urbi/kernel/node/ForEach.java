@@ -147,7 +147,7 @@ public final class ForEach extends Node implements CallSite {
       }
       return values.voidObject;
     }
-    CompiledCode compiled = turns.compiled();
+    CompiledCode compiled = turns.compiled(frame);
     return compiled == null ? interpret(frame, count) : compiled.run(frame, 0, count);
   }
 
@@ -196,7 +196,7 @@ public final class ForEach extends Node implements CallSite {
       }
       return values.voidObject;
     }
-    CompiledCode compiled = turns.compiled();
+    CompiledCode compiled = turns.compiled(frame);
     if (compiled != null) {
       return compiled.over(frame, 0, elements);
     }

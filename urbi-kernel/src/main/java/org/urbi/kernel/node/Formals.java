@@ -1,6 +1,8 @@
 package org.urbi.kernel.node;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -59,6 +61,11 @@ public final class Formals {
 
   boolean hasDefaults() {
     return hasDefaults;
+  }
+
+  /** The defaults of those that have one. */
+  List<Node> defaults() {
+    return Arrays.stream(defaults).filter(Objects::nonNull).toList();
   }
 
   void check(Frame caller, CallSite site, int given) {

@@ -60,7 +60,7 @@ abstract class FrameAccess extends Node {
    *
    * @param frame null if nobody has needed it until now
    */
-  protected static boolean isExposed(@Nullable Frame frame) {
+  public static boolean isExposed(@Nullable Frame frame) {
     return frame != null && frame.isExposed();
   }
 

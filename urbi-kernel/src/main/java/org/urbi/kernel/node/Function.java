@@ -80,6 +80,16 @@ public final class Function extends Code {
       return known == null ? code : known;
     }
 
+    /** What is executed, when the parameters are ready, as it was written. */
+    public Node text() {
+      return code;
+    }
+
+    /** The defaults of the parameters that have one. */
+    public List<Node> defaults() {
+      return formals == null ? List.of() : formals.defaults();
+    }
+
     private @Nullable CompiledCode compile(Frame frame) {
       if (!compiling) {
         compiling = true;

@@ -78,7 +78,7 @@ public final class Loops {
         if (init != null) {
           init.execute(frame);
         }
-        CompiledCode compiled = turns.compiled();
+        CompiledCode compiled = turns.compiled(frame);
         UrbiObject value = compiled == null ? interpret(frame) : compiled.execute(frame);
         broken = frame.completion == Frame.Completion.BREAK;
         if (broken) {

@@ -26,6 +26,9 @@ public final class TurnCount {
   private int versions;
   private @Nullable CompiledCode compiled;
 
+  /** Whether others could reach the variables when it was compiled. */
+  private boolean exposed;
+
   /**
    * The loop stands in the code of a function, of the top level or of another loop, and nothing
    * between them handles exceptions.
@@ -47,14 +50,30 @@ public final class TurnCount {
     return compiled() != null;
   }
 
-  /** The compiled loop; null if there is none. */
-  @Nullable CompiledCode compiled() {
+  /**
+   * The compiled loop for an execution that begins now; null if there is none. Of the code around a
+   * loop that is in no function nobody knows what reaches its variables.
+   */
+  @Nullable CompiledCode compiled(Frame frame) {
+    if (frame.function == null && frame.isExposed() && !exposed) {
+      forget();
+    }
+    return compiled();
+  }
+
+  private @Nullable CompiledCode compiled() {
     if (compiled != null && compiled.isOutdated()) {
-      // A turn from now it is compiled again.
+      forget();
+    }
+    return compiled;
+  }
+
+  /** A turn from now it is compiled again. */
+  private void forget() {
+    if (compiled != null) {
       compiled = null;
       asked = false;
     }
-    return compiled;
   }
 
   /** After which turn of an execution that begins now the loop may be hot. */
@@ -82,6 +101,7 @@ public final class TurnCount {
       return null;
     }
     asked = true;
+    exposed = frame.isExposed();
     compiled = frame.interpreter.compiler().loop(loop, frame, versions == MOST_VERSIONS);
     versions++;
     return compiled;

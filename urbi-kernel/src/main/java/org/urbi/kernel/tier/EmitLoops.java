@@ -201,6 +201,7 @@ final class EmitLoops {
     if (to.isObserved()) {
       Label end = to.code.newBoundLabel();
       Label handler = to.code.newBoundLabel();
+      to.afterOthers();
       to.writeAll();
       to.code.athrow();
       to.code.exceptionCatchAll(start, end, handler);
@@ -303,7 +304,9 @@ final class EmitLoops {
   private void catchJumps(Loop loop) {
     int thrown = to.newObject();
     Label other = to.code.newLabel();
-    to.code.astore(thrown).aload(thrown);
+    to.code.astore(thrown);
+    to.afterOthers();
+    to.code.aload(thrown);
     to.help("isOfLoop", CD_boolean, Names.THROWABLE);
     to.code.ifeq(other).aload(thrown);
     to.help("isBreak", CD_boolean, Names.THROWABLE);

@@ -84,6 +84,7 @@ final class EmitTry {
     Label handler = to.code.newBoundLabel();
     to.code.astore(thrown);
     to.code.exceptionCatchAll(start, end, handler);
+    to.afterOthers();
     to.code.labelBinding(finish);
     to.statement(last);
     Label over = to.code.newLabel();
@@ -109,6 +110,7 @@ final class EmitTry {
     to.help("caught", Names.EXCEPTION, Names.THROWABLE, Names.FRAME, Names.TRY);
     to.code.astore(caught);
     to.code.exceptionCatchAll(start, end, handler);
+    to.afterOthers();
     for (Try.Clause clause : node.clauses()) {
       Label next = to.code.newLabel();
       clause(clause, caught, result, next);

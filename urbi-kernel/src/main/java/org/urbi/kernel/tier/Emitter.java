@@ -365,7 +365,10 @@ final class Emitter extends CodeWriter {
     return unit.guarded() || loops.isHandling() || tries.isHandling();
   }
 
-  /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */
+  /**
+   * Other code may have run, or has been left by an exception: if it has unevaluated arguments of
+   * this one, it may have assigned.
+   */
   void afterOthers() {
     BitSet changed = changedBy(new Survey());
     if (!changed.isEmpty()) {

@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.ForEach;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Loops;
@@ -35,6 +36,32 @@ final class Survey {
     Survey survey = new Survey();
     survey.visit(node);
     return survey;
+  }
+
+  /** What a whole function does, with the defaults of its parameters. */
+  static Survey of(Function.Body function) {
+    Survey survey = of(function.text());
+    function.defaults().forEach(survey::visit);
+    return survey;
+  }
+
+  /**
+   * Others may reach the variables by lazy arguments that are in the code around this, too.
+   *
+   * @param around null if nobody knows that code: they may reach all
+   */
+  void addAround(@Nullable Survey around) {
+    inArguments.or(mentionedAmong(around == null || around.hides ? null : around.inArguments));
+    assignedInArguments.or(
+        mentionedAmong(around == null || around.hides ? null : around.assignedInArguments));
+  }
+
+  private BitSet mentionedAmong(@Nullable BitSet others) {
+    var both = (BitSet) mentioned.clone();
+    if (others != null) {
+      both.and(others);
+    }
+    return both;
   }
 
   /** Whether compiled code assigns the variable. */

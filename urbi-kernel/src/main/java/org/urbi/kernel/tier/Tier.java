@@ -109,6 +109,7 @@ public final class Tier implements CodeCompiler {
     CompiledCode compiled =
         attempt(() -> {
           Survey survey = Survey.of(code);
+          survey.addAround(Survey.of(function));
           return survey.isWorthwhile()
               ? compile(
                   new Unit(
@@ -146,6 +147,12 @@ public final class Tier implements CodeCompiler {
 
   private @Nullable CompiledCode loop(Node loop, TurnCount turns, Frame frame, boolean last) {
     Survey survey = Survey.of(loop);
+    Function function = frame.function();
+    if (function != null) {
+      survey.addAround(Survey.of(function.body()));
+    } else if (CompiledCode.isExposed(frame)) {
+      survey.addAround(null);
+    }
     return compile(
         new Unit(
             name(LOOP),
