@@ -143,6 +143,15 @@ class ArchitectureTest {
           "urbi");
 
   @ArchTest
+  static final ArchRule rosInstallationsAreNotKnownToNodesOfOurOwn =
+      noClasses()
+          .that()
+          .resideInAnyPackage("org.urbi.ros.two..", "org.urbi.ros.rtps..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.urbi.ros.rcl..");
+
+  @ArchTest
   static final ArchRule rosBridgeDependsOnTheGraph =
       dependsOnlyOn(
           "org.urbi.ros.bridge..",

@@ -11,7 +11,7 @@ import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.Templates;
 import org.urbi.ros.one.OneNode;
 import org.urbi.ros.one.OneSettings;
-import org.urbi.ros.two.TwoNode;
+import org.urbi.ros.rcl.Middleware;
 import org.urbi.ros.two.TwoSettings;
 import urbi.UBinary;
 import urbi.UDictionary;
@@ -55,7 +55,8 @@ public final class RosPeer {
   private static Node node() {
     String name = "bench_" + ProcessHandle.current().pid();
     return "2".equals(System.getenv("ROS_VERSION"))
-        ? TwoNode.start(TwoSettings.of(System.getenv(), name, Map.of()), System.err::println)
+        ? Middleware.start(
+            System.getenv(), TwoSettings.of(System.getenv(), name, Map.of()), System.err::println)
         : OneNode.start(OneSettings.of(System.getenv(), name, Map.of()), present -> {});
   }
 

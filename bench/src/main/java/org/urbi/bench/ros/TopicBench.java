@@ -21,7 +21,7 @@ import urbi.UDictionary;
  * SIZE COUNT RATE} and {@code count COUNT}, {@code many TOPICS RATE SECONDS}, {@code stay SECONDS}.
  */
 final class TopicBench {
-  private static final String IMAGE = "sensor_msgs/Image";
+  private static final String BYTES = "std_msgs/UInt8MultiArray";
   private static final Qos RELIABLE = new Qos(true, false, 1000, Qos.DEFAULT.deadline(), false);
 
   private final Node node;
@@ -66,8 +66,8 @@ final class TopicBench {
     return publisher;
   }
 
-  private UDictionary image(int size) {
-    return Templates.of(type(IMAGE)).with("data", new UBinary(new byte[size]));
+  private UDictionary bytes(int size) {
+    return Templates.of(type(BYTES)).with("data", new UBinary(new byte[size]));
   }
 
   private static void waitUntil(long time) throws InterruptedException {
@@ -79,13 +79,13 @@ final class TopicBench {
 
   /** Prints the median of round trips, in microseconds. */
   private void ping(int size, int count) throws InterruptedException {
-    Publisher ping = heard("/ping", IMAGE);
-    UDictionary message = image(size);
+    Publisher ping = heard("/ping", BYTES);
+    UDictionary message = bytes(size);
     long[] times = new long[2 * count];
     CountDownLatch done = new CountDownLatch(times.length);
     node.subscribe(
         "/pong",
-        type(IMAGE),
+        type(BYTES),
         RELIABLE,
         back -> {
           int next = times.length - (int) done.getCount();
@@ -106,15 +106,15 @@ final class TopicBench {
   }
 
   private void pong() throws InterruptedException {
-    Publisher pong = node.advertise("/pong", type(IMAGE), RELIABLE, new Publisher.Listener() {});
-    node.subscribe("/ping", type(IMAGE), RELIABLE, pong::publish);
+    Publisher pong = node.advertise("/pong", type(BYTES), RELIABLE, new Publisher.Listener() {});
+    node.subscribe("/ping", type(BYTES), RELIABLE, pong::publish);
     say("ready");
     Thread.sleep(Long.MAX_VALUE);
   }
 
   private void send(int size, int count, int rate) throws InterruptedException {
-    Publisher publisher = heard("/sent", IMAGE);
-    UDictionary message = image(size);
+    Publisher publisher = heard("/sent", BYTES);
+    UDictionary message = bytes(size);
     long due = System.nanoTime();
     for (int i = 0; i < count; i++) {
       publisher.publish(message);
@@ -128,7 +128,7 @@ final class TopicBench {
   /** Prints how many of so many have come, when all have, or none has for two seconds. */
   private void count(int count) throws InterruptedException {
     BlockingQueue<UDictionary> come = new LinkedBlockingQueue<>();
-    node.subscribe("/sent", type(IMAGE), RELIABLE, come::add);
+    node.subscribe("/sent", type(BYTES), RELIABLE, come::add);
     say("ready");
     come.take();
     int got = 1;

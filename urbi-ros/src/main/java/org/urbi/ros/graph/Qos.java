@@ -29,4 +29,9 @@ public record Qos(
   public Qos with(boolean isReliable, boolean isKeptForLate) {
     return new Qos(isReliable, isKeptForLate, depth, deadline, false);
   }
+
+  /** The same; where all messages wait, so many at most. */
+  public Qos atMost(int most) {
+    return depth > 0 ? this : new Qos(reliable, keptForLate, most, deadline, false);
+  }
 }

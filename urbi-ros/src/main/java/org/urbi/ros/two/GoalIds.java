@@ -6,14 +6,13 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.urbi.ros.rtps.Guid;
 import urbi.UBinary;
 import urbi.UDictionary;
 import urbi.UValue;
 
 /**
- * The names of goals: {@code unique_identifier_msgs/UUID}. Those of this node begin with that of
- * its participant, which no other one has, and end with a number.
+ * The names of goals: {@code unique_identifier_msgs/UUID}. Those of this node begin with what no
+ * other one has, and end with a number.
  */
 final class GoalIds {
   /** What stands for all goals. */
@@ -22,15 +21,15 @@ final class GoalIds {
   private static final int SIZE = 16;
   private static final int PREFIX = 12;
 
-  private final byte[] participant;
+  private final byte[] identity;
   private final AtomicInteger count = new AtomicInteger();
 
-  GoalIds(Guid participant) {
-    this.participant = Arrays.copyOf(participant.bytes(), PREFIX);
+  GoalIds(byte[] identity) {
+    this.identity = Arrays.copyOf(identity, PREFIX);
   }
 
   UUID next() {
-    ByteBuffer bytes = ByteBuffer.allocate(SIZE).put(participant).putInt(count.incrementAndGet());
+    ByteBuffer bytes = ByteBuffer.allocate(SIZE).put(identity).putInt(count.incrementAndGet());
     return read(bytes.flip());
   }
 

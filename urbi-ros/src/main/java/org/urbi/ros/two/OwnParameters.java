@@ -44,7 +44,7 @@ final class OwnParameters {
   /** A parameter. */
   record Parameter(ParameterKind kind, UValue value, ParameterDescription description) {}
 
-  private final TwoNode node;
+  private final TwoHost node;
   private final MessageType valueType;
   private final Publisher events;
   private final BiConsumer<String, UValue> set;
@@ -54,7 +54,7 @@ final class OwnParameters {
   /**
    * @param set is told each parameter that is set, whoever has done it
    */
-  OwnParameters(TwoNode node, BiConsumer<String, UValue> set) {
+  OwnParameters(TwoHost node, BiConsumer<String, UValue> set) {
     this.node = node;
     this.set = set;
     valueType = node.definitions().message("rcl_interfaces/ParameterValue");

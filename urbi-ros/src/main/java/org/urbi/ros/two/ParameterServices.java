@@ -15,17 +15,17 @@ import urbi.UValue;
 
 /** The services by which other nodes of ROS 2 get and set the parameters of this one. */
 final class ParameterServices {
-  private final TwoNode node;
+  private final TwoHost node;
   private final OwnParameters parameters;
   private final MessageType descriptor;
 
-  private ParameterServices(TwoNode node, OwnParameters parameters) {
+  private ParameterServices(TwoHost node, OwnParameters parameters) {
     this.node = node;
     this.parameters = parameters;
     descriptor = node.definitions().message("rcl_interfaces/ParameterDescriptor");
   }
 
-  static void serve(TwoNode node, OwnParameters parameters) {
+  static void serve(TwoHost node, OwnParameters parameters) {
     ParameterServices all = new ParameterServices(node, parameters);
     all.serve("get_parameters", "GetParameters", all::get);
     all.serve("get_parameter_types", "GetParameterTypes", all::types);

@@ -2,24 +2,29 @@ package org.urbi.ros.two;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
+import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 
 /**
  * Tells people what goes wrong, and the same thing only once: a peer may do it a thousand times a
  * second.
  */
-final class Reports {
+public final class Reports {
   /** So many are remembered. */
   private static final int MOST = 100;
 
   private final Consumer<String> people;
   private final Set<String> told = new LinkedHashSet<>();
 
-  Reports(Consumer<String> people) {
+  /**
+   * @param people are told, by whoever tells it
+   */
+  public Reports(Consumer<String> people) {
     this.people = people;
   }
 
-  void tell(String text) {
+  /** Tells it, unless it was told lately. */
+  public void tell(String text) {
     synchronized (told) {
       if (!told.add(text)) return;
       if (told.size() > MOST) told.remove(told.iterator().next());
@@ -27,8 +32,11 @@ final class Reports {
     people.accept(text);
   }
 
-  void tell(String what, Throwable reason) {
-    String message = reason.getMessage();
-    tell(what + ": " + (message == null ? reason.getClass().getSimpleName() : message));
+  /** Tells what has failed, and why. */
+  public void tell(String what, Throwable reason) {
+    Throwable cause = reason instanceof CompletionException ? reason.getCause() : null;
+    Throwable told = cause == null ? reason : cause;
+    String message = told.getMessage();
+    tell(what + ": " + (message == null ? told.getClass().getSimpleName() : message));
   }
 }

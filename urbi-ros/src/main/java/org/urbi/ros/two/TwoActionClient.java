@@ -25,7 +25,7 @@ import urbi.UValue;
 /** What has an action of ROS 2 pursue goals. */
 final class TwoActionClient implements ActionClient {
   private final TwoActions actions;
-  private final TwoNode node;
+  private final TwoHost node;
   private final String action;
   private final ActionType.Two type;
   private final Map<UUID, TwoGoal> goals = new ConcurrentHashMap<>();

@@ -55,7 +55,7 @@ final class TwoActionServer implements ActionServer {
     this.type = type;
     this.handler = handler;
     results = MessageCodec.of(type.result());
-    TwoNode node = actions.node();
+    TwoHost node = actions.node();
     ServiceServer first =
         node.serve(action + TwoActions.SEND_GOAL, type.sendGoal(), this::goalReceived);
     services =

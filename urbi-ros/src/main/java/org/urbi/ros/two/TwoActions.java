@@ -11,7 +11,6 @@ import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.ActionType;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
-import org.urbi.ros.rtps.Guid;
 
 /**
  * The actions of a node of ROS 2. Each consists of three services and two topics, whose names begin
@@ -33,12 +32,12 @@ final class TwoActions implements Actions {
   /** Those who come later get the status of goals, too. */
   static final Qos STATUS_QOS = Qos.LATCHED;
 
-  private final TwoNode node;
+  private final TwoHost node;
   private final GoalIds ids;
 
-  TwoActions(TwoNode node, Guid participant) {
+  TwoActions(TwoHost node, byte[] identity) {
     this.node = node;
-    ids = new GoalIds(participant);
+    ids = new GoalIds(identity);
   }
 
   @Override
@@ -70,7 +69,7 @@ final class TwoActions implements Actions {
     throw new RosException(type.name() + " is an action of ROS 1");
   }
 
-  TwoNode node() {
+  TwoHost node() {
     return node;
   }
 

@@ -10,10 +10,10 @@ import urbi.UDictionary;
 final class TwoLog {
   private static final Qos KEPT = new Qos(true, true, 100, Qos.DEFAULT.deadline(), false);
 
-  private final TwoNode node;
+  private final TwoHost node;
   private final Publisher publisher;
 
-  TwoLog(TwoNode node) {
+  TwoLog(TwoHost node) {
     this.node = node;
     publisher =
         node.advertise(

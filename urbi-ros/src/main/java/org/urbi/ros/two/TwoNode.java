@@ -3,10 +3,9 @@ package org.urbi.ros.two;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.Executor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -14,7 +13,6 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Actions;
 import org.urbi.ros.graph.ClockFollower;
 import org.urbi.ros.graph.GraphSnapshot;
-import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.ParameterServer;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
@@ -42,7 +40,7 @@ import org.urbi.ros.rtps.WriterListener;
 import org.urbi.ros.time.WallClock;
 
 /** A node of ROS 2, a participant of its own. Others may come and go. */
-public final class TwoNode implements Node {
+public final class TwoNode implements TwoHost {
   private static final byte[] ENCLAVE = "enclave=/;".getBytes(StandardCharsets.UTF_8);
   private static final EndpointQos ENTITIES = EndpointQos.reliable(1).asTransientLocal();
   private static final EndpointQos ALL_ENTITIES =
@@ -57,15 +55,6 @@ public final class TwoNode implements Node {
   /** So many samples are taken at once. */
   private static final int AT_ONCE = 64;
 
-  private static final Executor TASKS =
-      task -> Thread.ofVirtual().name("urbi-ros-task").start(task);
-
-  /** Seconds after which a node knows who is there, if nothing delays it. */
-  private static final int FIRST_LOOK = 1;
-
-  /** Seconds after which a node is sure that what it does not know is not there. */
-  private static final int LAST_LOOK = 3;
-
   private final TwoSettings settings;
   private final Reports reports;
   private final Owners owners = new Owners();
@@ -73,14 +62,9 @@ public final class TwoNode implements Node {
   private final Participant participant;
   private final Writer entitiesWriter;
   private final List<EndpointInfo> own = new CopyOnWriteArrayList<>();
-  private final List<Consumer<GraphSnapshot>> watchers = new CopyOnWriteArrayList<>();
-  private final List<Runnable> seekers = new CopyOnWriteArrayList<>();
-  private final CompletableFuture<Void> looked = after(FIRST_LOOK);
-  private final CompletableFuture<Void> sure = after(LAST_LOOK);
+  private final GraphSeekers seekers = new GraphSeekers();
   private final ClockFollower clock = new ClockFollower(this, WallClock::nanoseconds);
-  private final TwoLog log;
-  private final TwoActions actions;
-  private final TwoParameters parameters;
+  private final TwoConventions conventions;
   private volatile boolean closed;
 
   private TwoNode(TwoSettings settings, Consumer<String> people) throws IOException {
@@ -98,13 +82,7 @@ public final class TwoNode implements Node {
         participant.writer(Entities.TOPIC, Entities.TYPE, ENTITIES, NO_DATA, WriterListener.NONE);
     participant.reader(
         Entities.TOPIC, Entities.TYPE, ALL_ENTITIES, NO_DATA, new EntitiesListener());
-    log = new TwoLog(this);
-    actions = new TwoActions(this, participant.guid());
-    parameters = new TwoParameters(this, clock);
-  }
-
-  private static CompletableFuture<Void> after(int seconds) {
-    return new CompletableFuture<Void>().completeOnTimeout(null, seconds, TimeUnit.SECONDS);
+    conventions = new TwoConventions(this, clock, participant.guid().bytes());
   }
 
   /**
@@ -153,12 +131,12 @@ public final class TwoNode implements Node {
 
   @Override
   public void log(Severity severity, String text) {
-    log.log(severity, text);
+    conventions.log(severity, text);
   }
 
   @Override
   public ParameterServer parameters() {
-    return parameters;
+    return conventions.parameters();
   }
 
   // ------------------------------------------------------------------ the graph
@@ -169,54 +147,40 @@ public final class TwoNode implements Node {
 
   @Override
   public CompletableFuture<GraphSnapshot> graph() {
-    return looked.thenApplyAsync(nothing -> snapshot(), TASKS);
+    return seekers.graph(this::snapshot);
   }
 
   @Override
   public CompletableFuture<String> typeOf(String topic) {
     String full = resolve(topic);
     String wanted = Mangling.topic(full);
-    return sought(
-        each -> each.topic().equals(wanted),
-        each -> Mangling.typeOf(each.type()),
+    return seekers.sought(
+        () -> told(each -> each.topic().equals(wanted), each -> Mangling.typeOf(each.type())),
         "there is no topic " + full + ": Ros.topics has all");
   }
 
   /** What is told of a writer or reader, which a node that is new here need not have heard of. */
-  private CompletableFuture<String> sought(
-      Predicate<EndpointInfo> wanted, Function<EndpointInfo, String> told, String missing) {
-    CompletableFuture<String> found = new CompletableFuture<>();
-    Runnable look =
-        () -> endpoints().stream().filter(wanted).findFirst().map(told).ifPresent(found::complete);
-    Runnable stopsLooking = seek(look);
-    look.run();
-    // What is new is told within that time, too.
-    CompletableFuture.allOf(sure, after(FIRST_LOOK))
-        .thenRun(() -> found.completeExceptionally(new RosException(missing)));
-    return found.whenComplete((value, failure) -> stopsLooking.run());
+  private Optional<String> told(
+      Predicate<EndpointInfo> wanted, Function<EndpointInfo, String> told) {
+    return endpoints().stream().filter(wanted).findFirst().map(told);
   }
 
   @Override
   public Runnable watch(Consumer<GraphSnapshot> listener) {
-    watchers.add(listener);
-    return () -> watchers.remove(listener);
+    return seekers.watch(listener);
   }
 
   private void changed() {
-    seekers.forEach(Runnable::run);
-    tellWatchers();
+    seekers.changed(this::snapshot);
   }
 
   private void tellWatchers() {
-    if (watchers.isEmpty()) return;
-    GraphSnapshot now = snapshot();
-    watchers.forEach(each -> each.accept(now));
+    seekers.tellWatchers(this::snapshot);
   }
 
   /** Has something done at each change of the graph, by a thread of the network. */
   Runnable seek(Runnable seeker) {
-    seekers.add(seeker);
-    return () -> seekers.remove(seeker);
+    return seekers.seek(seeker);
   }
 
   /** The writers and readers of others, and those of this node. */
@@ -235,7 +199,8 @@ public final class TwoNode implements Node {
     return owners;
   }
 
-  Reports reports() {
+  @Override
+  public Reports reports() {
     return reports;
   }
 
@@ -320,19 +285,20 @@ public final class TwoNode implements Node {
             found -> new TwoServiceClient(this, full, definitions().service(found)).ready());
   }
 
-  /** The type of a service that is there, told by a thread that may wait. */
-  CompletableFuture<String> typeOfService(String full, String missing) {
+  @Override
+  public CompletableFuture<String> typeOfService(String full, String missing) {
     String request = Mangling.request(full);
-    return sought(
-            each -> !each.isWriter() && each.topic().equals(request),
-            each -> Mangling.serviceTypeOf(each.type()),
-            missing)
-        .thenApplyAsync(found -> found, TASKS);
+    return seekers.soughtToWait(
+        () ->
+            told(
+                each -> !each.isWriter() && each.topic().equals(request),
+                each -> Mangling.serviceTypeOf(each.type())),
+        missing);
   }
 
   @Override
   public Actions actions() {
-    return actions;
+    return conventions.actions();
   }
 
   @Override

@@ -23,7 +23,7 @@ final class TwoParameters implements ParameterServer {
   /** Seconds in which another node answers. */
   private static final int PATIENCE = 10;
 
-  private final TwoNode node;
+  private final TwoHost node;
   private final OwnParameters own;
 
   /**
@@ -41,7 +41,7 @@ final class TwoParameters implements ParameterServer {
     }
   }
 
-  TwoParameters(TwoNode node, ClockFollower clock) {
+  TwoParameters(TwoHost node, ClockFollower clock) {
     this.node = node;
     own =
         new OwnParameters(
@@ -79,8 +79,7 @@ final class TwoParameters implements ParameterServer {
   private CompletableFuture<UDictionary> ask(String other, String service, UDictionary request) {
     String full = other + "/" + service;
     return node.typeOfService(full, "there is no node " + other + " that has parameters")
-        .thenCompose(
-            type -> new TwoServiceClient(node, full, node.definitions().service(type)).ready())
+        .thenCompose(type -> node.client(full, node.definitions().service(type), true))
         .thenCompose(client -> answer(client, request));
   }
 

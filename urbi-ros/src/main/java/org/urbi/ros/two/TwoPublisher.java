@@ -17,6 +17,7 @@ import urbi.UDictionary;
 
 /** What this node says on a topic of ROS 2. */
 final class TwoPublisher implements Publisher {
+  /** Nothing waits for slow subscribers: where all are wanted, there is an end somewhere. */
   private static final int MOST = 1000;
 
   private final TwoNode node;
@@ -38,15 +39,9 @@ final class TwoPublisher implements Publisher {
         node.writer(
             Mangling.topic(topic),
             Mangling.type(type.name()),
-            TwoNode.qos(kept(qos)),
+            TwoNode.qos(qos.atMost(MOST)),
             TypeHash.rihs(type),
             new Readers());
-  }
-
-  /** Nothing waits for slow subscribers: where all are wanted, there is an end somewhere. */
-  private static Qos kept(Qos qos) {
-    if (qos.depth() > 0) return qos;
-    return new Qos(qos.reliable(), qos.keptForLate(), MOST, qos.deadline(), false);
   }
 
   @Override

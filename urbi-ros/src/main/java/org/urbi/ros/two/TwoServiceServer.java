@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Iterator;
 import java.util.Queue;
-import java.util.concurrent.CompletionException;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
 import org.urbi.ros.graph.ServiceServer;
@@ -97,13 +96,8 @@ final class TwoServiceServer implements ServiceServer {
         .thenAccept(answer -> send(identity, ByteBuffer.wrap(replies.encode(answer))))
         .whenComplete((nothing, failure) -> {
           if (failure != null)
-            node.reports().tell(service + " failed, and gave no answer", reason(failure));
+            node.reports().tell(service + " failed, and gave no answer", failure);
         });
-  }
-
-  private static Throwable reason(Throwable failure) {
-    Throwable cause = failure.getCause();
-    return failure instanceof CompletionException && cause != null ? cause : failure;
   }
 
   private synchronized void send(SampleIdentity request, ByteBuffer answer) {

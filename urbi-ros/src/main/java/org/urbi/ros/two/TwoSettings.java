@@ -17,11 +17,11 @@ import org.urbi.ros.message.InterfaceFiles;
  * Where a node of ROS 2 is.
  *
  * @param domain nodes of other domains are not seen
+ * @param range whom it finds: {@code LOCALHOST}, {@code SUBNET} or {@code OFF}
  * @param address where it listens; on loopback, nodes of this machine only
- * @param isAlone whether it looks for nobody, and nobody finds it
  */
 public record TwoSettings(
-    Names names, int domain, InetAddress address, boolean isAlone, Definitions definitions) {
+    Names names, int domain, String range, InetAddress address, Definitions definitions) {
   private static final String RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE";
   private static final String OFF = "OFF";
 
@@ -44,9 +44,14 @@ public record TwoSettings(
     return new TwoSettings(
         Names.of(node, environment.getOrDefault("ROS_NAMESPACE", "/"), remappings),
         domain(domain),
+        range,
         address(range, ip),
-        range.equals(OFF),
         new Definitions(Dialect.ROS_2, InterfaceFiles.of(Dialect.ROS_2, environment)));
+  }
+
+  /** Whether it looks for nobody, and nobody finds it. */
+  public boolean isAlone() {
+    return range.equals(OFF);
   }
 
   private static int domain(String text) {

@@ -14,7 +14,7 @@ import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.Templates;
 import org.urbi.ros.one.OneNode;
 import org.urbi.ros.one.OneSettings;
-import org.urbi.ros.two.TwoNode;
+import org.urbi.ros.rcl.Middleware;
 import org.urbi.ros.two.TwoSettings;
 import urbi.UDictionary;
 import urbi.UEvent;
@@ -165,7 +165,9 @@ public final class Ros extends UObject implements AutoCloseable {
     return switch (dialect) {
       case ROS_1 ->
           OneNode.start(OneSettings.of(environment, own, names), there -> told(uri, there));
-      case ROS_2 -> TwoNode.start(TwoSettings.of(environment, own, names), this::told);
+      case ROS_2 ->
+          // Whoever sets packagePath wants other types, and no other middleware.
+          Middleware.start(System.getenv(), TwoSettings.of(environment, own, names), this::told);
     };
   }
 

@@ -15,17 +15,20 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.ActionServer;
 import org.urbi.ros.graph.GoalStatus;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.message.ActionType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.Templates;
 import org.urbi.ros.message.ValueException;
+import org.urbi.ros.rcl.Ways;
 import org.urbi.ros.rtps.Neighbourhood;
 import org.urbi.ros.rtps.Peer;
 import urbi.UDictionary;
@@ -40,8 +43,13 @@ class ActionsTest {
   private static final Path TYPES =
       Path.of("src/test/resources/org/urbi/ros").toAbsolutePath().normalize();
 
-  private static TwoNode start(Neighbourhood domain, String name) {
-    return TwoNode.start(
+  private static Node start(Neighbourhood domain, String name) {
+    return start("embedded", domain, name);
+  }
+
+  private static Node start(String way, Neighbourhood domain, String name) {
+    return Ways.start(
+        way,
         TwoSettings.of(
             Map.of("ROS_DOMAIN_ID", "" + domain.domain(), "AMENT_PREFIX_PATH", TYPES.toString()),
             name,
@@ -49,7 +57,7 @@ class ActionsTest {
         text -> {});
   }
 
-  private static ActionType.Two fibonacci(TwoNode node) {
+  private static ActionType.Two fibonacci(Node node) {
     return (ActionType.Two) node.definitions().action("test_msgs/Fibonacci");
   }
 
@@ -97,7 +105,7 @@ class ActionsTest {
     }
   }
 
-  private static ActionClient client(TwoNode node, String name) throws Exception {
+  private static ActionClient client(Node node, String name) throws Exception {
     // A busy machine may take longer to tell of it than is waited for what need not be there.
     Awaited.until(name, () -> Awaited.value(node.graph()).actions().containsKey(name));
     return Awaited.value(node.actions().client(name, null));
@@ -108,11 +116,11 @@ class ActionsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"kilted", "jazzy"})
-  void goalsThatOthersPursue(String environment) throws Exception {
+  @CsvSource({"kilted, embedded", "jazzy, embedded", "kilted, rcl"})
+  void goalsThatOthersPursue(String environment, String way) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
-        TwoNode node = start(domain, "node")) {
+        Node node = start(way, domain, "node")) {
       peer.say("serve /fibonacci count");
       peer.expect("serving");
       ActionClient client = client(node, "/fibonacci");
@@ -147,7 +155,7 @@ class ActionsTest {
   void aServerThatDiesInTheMiddle(String environment) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = Peer.ofShortLease(environment, domain.domain(), SCRIPT);
-        TwoNode node = start(domain, "node")) {
+        Node node = start(domain, "node")) {
       peer.say("serve /fibonacci hang");
       peer.expect("serving");
       ActionClient client = client(node, "/fibonacci");
@@ -163,7 +171,7 @@ class ActionsTest {
   void aServerThatDoesNotGiveUp(String environment) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
-        TwoNode node = start(domain, "node")) {
+        Node node = start(domain, "node")) {
       peer.say("serve /fibonacci stubborn");
       peer.expect("serving");
       ActionClient client = client(node, "/fibonacci");
@@ -177,11 +185,11 @@ class ActionsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"kilted", "jazzy"})
-  void goalsOfOthers(String environment) throws Exception {
+  @CsvSource({"kilted, embedded", "jazzy, embedded", "kilted, rcl"})
+  void goalsOfOthers(String environment, String way) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
-        TwoNode node = start(domain, "node")) {
+        Node node = start(way, domain, "node")) {
       Goals goals = new Goals();
       ActionServer server = node.actions().serve("fibonacci", fibonacci(node), goals);
       assertEquals("/fibonacci", server.action());
@@ -218,8 +226,8 @@ class ActionsTest {
   @Test
   void betweenNodes() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode one = start(domain, "one");
-        TwoNode two = start(domain, "two")) {
+        Node one = start(domain, "one");
+        Node two = start(domain, "two")) {
       Goals goals = new Goals();
       ActionServer server = one.actions().serve("f", fibonacci(one), goals);
       assertThrows(RosException.class, () -> one.actions().serve("f", fibonacci(one), new Goals()));
@@ -256,8 +264,8 @@ class ActionsTest {
   @Test
   void aClientThatFloods() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode one = start(domain, "one");
-        TwoNode two = start(domain, "two")) {
+        Node one = start(domain, "one");
+        Node two = start(domain, "two")) {
       Goals goals = new Goals();
       one.actions().serve("f", fibonacci(one), goals);
       ActionClient client = client(two, "/f");
@@ -280,7 +288,7 @@ class ActionsTest {
   @Test
   void aClientThatIsClosedWaitsForNothing() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode node = start(domain, "one")) {
+        Node node = start(domain, "one")) {
       node.actions().serve("f", fibonacci(node), new Goals());
       ActionClient client = client(node, "/f");
       ActionClient.Goal goal = client.send(goal(1), new Progress());

@@ -12,9 +12,11 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.GraphSnapshot;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
@@ -24,6 +26,7 @@ import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.Templates;
+import org.urbi.ros.rcl.Ways;
 import org.urbi.ros.rtps.Neighbourhood;
 import org.urbi.ros.rtps.Peer;
 import urbi.UDictionary;
@@ -70,11 +73,13 @@ class TwoNodeTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"kilted", "jazzy"})
-  void isANodeAmongOthers(String environment) throws Exception {
+  @CsvSource({"kilted, embedded", "jazzy, embedded", "kilted, rcl"})
+  void isANodeAmongOthers(String environment, String way) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = new Peer(environment, domain.domain());
-        TwoNode node = start(settings(domain.domain(), Peer.prefix(environment), "jnode"))) {
+        Node node =
+            Ways.start(
+                way, settings(domain.domain(), Peer.prefix(environment), "jnode"), told::add)) {
       MessageType string = node.definitions().message("std_msgs/String");
       Publisher publisher =
           node.advertise("chatter", string, Qos.LATCHED, new Publisher.Listener() {});
@@ -119,11 +124,12 @@ class TwoNodeTest {
     }
   }
 
-  @Test
-  void twoNodesFindEachOther() throws Exception {
+  @ParameterizedTest
+  @CsvSource({"embedded, embedded", "embedded, rcl", "rcl, embedded", "rcl, rcl"})
+  void twoNodesFindEachOther(String first, String second) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode one = start(settings(domain.domain(), "", "one"));
-        TwoNode two = start(settings(domain.domain(), "", "/far/two"))) {
+        Node one = Ways.start(first, settings(domain.domain(), "", "one"), told::add);
+        Node two = Ways.start(second, settings(domain.domain(), "", "/far/two"), told::add)) {
       MessageType string = one.definitions().message("std_msgs/String");
       BlockingQueue<String> connected = new LinkedBlockingQueue<>();
       Publisher publisher =
@@ -210,10 +216,11 @@ class TwoNodeTest {
     }
   }
 
-  @Test
-  void otherTypesAreTold() throws Exception {
+  @ParameterizedTest
+  @ValueSource(strings = {"embedded", "rcl"})
+  void otherTypesAreTold(String way) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode one = start(settings(domain.domain(), "", "one"));
+        Node one = Ways.start(way, settings(domain.domain(), "", "one"), told::add);
         TwoNode two = TwoNode.start(settings(domain.domain(), "", "two"), text -> {})) {
       one.advertise(
           "x",
@@ -224,6 +231,14 @@ class TwoNodeTest {
       assertEquals(
           "/urbi/x: /urbi/two subscribes to std_msgs/msg/Int32, this node has std_msgs/msg/String",
           Awaited.next(told));
+    }
+  }
+
+  @Test
+  void otherTypesOfServicesAreTold() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode one = start(settings(domain.domain(), "", "one"));
+        TwoNode two = TwoNode.start(settings(domain.domain(), "", "two"), text -> {})) {
       ServiceType trigger = one.definitions().service("std_srvs/Trigger");
       one.serve("s", trigger, request -> new CompletableFuture<>());
       CompletionException refused =
@@ -239,10 +254,11 @@ class TwoNodeTest {
     }
   }
 
-  @Test
-  void deliveryThatIsNotOfferedIsTold() throws Exception {
+  @ParameterizedTest
+  @ValueSource(strings = {"embedded", "rcl"})
+  void deliveryThatIsNotOfferedIsTold(String way) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode one = start(settings(domain.domain(), "", "one"));
+        Node one = Ways.start(way, settings(domain.domain(), "", "one"), told::add);
         TwoNode two = start(settings(domain.domain(), "", "two"))) {
       MessageType string = one.definitions().message("std_msgs/String");
       BlockingQueue<String> failed = new LinkedBlockingQueue<>();
@@ -262,11 +278,13 @@ class TwoNodeTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"kilted", "jazzy"})
-  void aServerThatDiesInTheMiddle(String environment) throws Exception {
+  @CsvSource({"kilted, embedded", "jazzy, embedded", "kilted, rcl"})
+  void aServerThatDiesInTheMiddle(String environment, String way) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = Peer.ofShortLease(environment, domain.domain());
-        TwoNode node = start(settings(domain.domain(), Peer.prefix(environment), "node"))) {
+        Node node =
+            Ways.start(
+                way, settings(domain.domain(), Peer.prefix(environment), "node"), told::add)) {
       peer.say("silent /hangs");
       peer.expect("serving");
       // A busy machine may take longer to tell of it than is waited for what need not be there.

@@ -1,0 +1,178 @@
+package org.urbi.ros.rcl;
+
+import java.lang.foreign.Arena;
+import java.lang.foreign.MemorySegment;
+import java.time.Duration;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.rcl.CFunctions.Structure;
+
+/**
+ * A context of {@code rcl} with one node in it, and a thread that waits for changes of the graph.
+ */
+final class Session implements AutoCloseable {
+  /** As long a thread has that waits for nothing any more. */
+  private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+  /** No structure that is kept here is larger. */
+  private static final long ROOM = 256;
+
+  private static final long ALLOCATOR = 40;
+  private static final long FOR_EVER = -1;
+
+  private final CFunctions c;
+  private final Consumer<Throwable> troubles;
+  private final Arena arena = Arena.ofAuto();
+  private final MemorySegment allocator;
+  private final MemorySegment context = arena.allocate(ROOM, Long.BYTES);
+  private final MemorySegment node = arena.allocate(ROOM, Long.BYTES);
+  private final MemorySegment waking = arena.allocate(ROOM, Long.BYTES);
+  private final MemorySegment waitSet = arena.allocate(ROOM, Long.BYTES);
+  private final Thread waiting;
+  private final ReentrantReadWriteLock life = new ReentrantReadWriteLock();
+  private volatile boolean closing;
+  private boolean closed;
+
+  /**
+   * Begins.
+   *
+   * @param name the full name of the node
+   * @param changed is called when the graph has changed, by a thread of its own
+   * @param troubles are told what that throws
+   */
+  Session(CFunctions c, int domain, String name, Runnable changed, Consumer<Throwable> troubles) {
+    this.c = c;
+    this.troubles = troubles;
+    allocator = c.structure("rcutils_get_default_allocator", arena).asSlice(0, ALLOCATOR);
+    MemorySegment options = arena.allocate(ROOM, Long.BYTES);
+    c.check("rcl_init_options_init", options, new Structure(allocator));
+    c.check("rcl_init_options_set_domain_id", options, (long) domain);
+    c.check("rcl_init", 0, MemorySegment.NULL, options, context);
+    c.check("rcl_init_options_fini", options);
+    try {
+      initNode(name);
+    } catch (RosException e) {
+      endContext();
+      throw e;
+    }
+    waiting =
+        Thread.ofPlatform().daemon().name("urbi-ros-rcl-graph").unstarted(() -> await(changed));
+  }
+
+  private void initNode(String name) {
+    int slash = name.lastIndexOf('/');
+    c.check(
+        "rcl_node_init",
+        node,
+        name.substring(slash + 1),
+        slash == 0 ? "/" : name.substring(0, slash),
+        context,
+        c.structure("rcl_node_get_default_options", arena));
+    c.check(
+        "rcl_guard_condition_init",
+        waking,
+        context,
+        new Structure(
+            c.structure("rcl_guard_condition_get_default_options", arena).asSlice(0, ALLOCATOR)));
+    c.check(
+        "rcl_wait_set_init", waitSet, 0L, 2L, 0L, 0L, 0L, 0L, context, new Structure(allocator));
+  }
+
+  /** From now on it is told when the graph has changed. */
+  void begin() {
+    waiting.start();
+  }
+
+  private void await(Runnable changed) {
+    MemorySegment graph = c.pointer("rcl_node_get_graph_guard_condition", node);
+    try {
+      while (!closing) {
+        c.check("rcl_wait_set_clear", waitSet);
+        c.check("rcl_wait_set_add_guard_condition", waitSet, graph, MemorySegment.NULL);
+        c.check("rcl_wait_set_add_guard_condition", waitSet, waking, MemorySegment.NULL);
+        c.check("rcl_wait", waitSet, FOR_EVER);
+        if (!closing) look(changed);
+      }
+    } catch (RosException e) {
+      troubles.accept(e);
+    }
+  }
+
+  private void look(Runnable changed) {
+    try {
+      changed.run();
+    } catch (Throwable e) {
+      troubles.accept(e);
+    }
+  }
+
+  /** Has the graph looked at as if it had changed; nothing if the session is closed. */
+  void wake() {
+    life.readLock().lock();
+    try {
+      if (!closed) c.check("rcl_trigger_guard_condition", waking);
+    } finally {
+      life.readLock().unlock();
+    }
+  }
+
+  /**
+   * Does what needs the session, which is not closed meanwhile.
+   *
+   * @throws RosException if it is closed already
+   */
+  <T> T use(Supplier<T> action) {
+    life.readLock().lock();
+    try {
+      if (closed) throw new RosException("the node is closed");
+      return action.get();
+    } finally {
+      life.readLock().unlock();
+    }
+  }
+
+  MemorySegment node() {
+    return node;
+  }
+
+  MemorySegment allocator() {
+    return allocator;
+  }
+
+  CFunctions functions() {
+    return c;
+  }
+
+  @Override
+  public void close() {
+    closing = true;
+    wake();
+    try {
+      if (waiting.isAlive() && !waiting.join(PATIENCE)) {
+        // What it may use must not be taken away.
+        troubles.accept(new RosException("the middleware does not end"));
+        return;
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return;
+    }
+    life.writeLock().lock();
+    try {
+      closed = true;
+      c.check("rcl_wait_set_fini", waitSet);
+      c.check("rcl_guard_condition_fini", waking);
+      c.check("rcl_node_fini", node);
+      endContext();
+    } finally {
+      life.writeLock().unlock();
+    }
+  }
+
+  private void endContext() {
+    c.number("rcl_shutdown", context);
+    c.number("rcl_context_fini", context);
+  }
+}

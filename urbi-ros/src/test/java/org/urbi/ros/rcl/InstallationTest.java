@@ -1,0 +1,163 @@
+package org.urbi.ros.rcl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.ros.graph.Node;
+import org.urbi.ros.graph.Publisher;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.Subscription;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.rtps.Neighbourhood;
+import org.urbi.ros.two.TwoNode;
+import org.urbi.ros.two.TwoSettings;
+import urbi.UDictionary;
+
+/** An installed ROS 2 that is not as it should be, and what is left when its nodes are closed. */
+class InstallationTest {
+  private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+  @TempDir Path folder;
+
+  private static TwoSettings settings(int domain, String name) {
+    return TwoSettings.of(Map.of("ROS_DOMAIN_ID", "" + domain), name, Map.of());
+  }
+
+  private Path library() throws Exception {
+    return Files.createDirectories(folder.resolve("lib")).resolve("librcl.so");
+  }
+
+  /** Why there is no node of the installation, when that is asked for. */
+  private String refusal(String name, String value) {
+    RosException refused =
+        assertThrows(
+            RosException.class,
+            () ->
+                Middleware.start(
+                    Map.of(name, value, "AMENT_PREFIX_PATH", "/nowhere:" + folder),
+                    settings(0, "node"),
+                    told::add));
+    return refused.getMessage();
+  }
+
+  @Test
+  void whatIsNotInstalledIsNotUsed() throws Exception {
+    String source =
+        "no folder of AMENT_PREFIX_PATH has lib/librcl.so: source a ROS 2,"
+            + " or set URBI_ROS_MIDDLEWARE=embedded";
+    assertEquals(
+        "URBI_ROS_MIDDLEWARE is rcl, but " + source, refusal("URBI_ROS_MIDDLEWARE", "rcl"));
+    // Nobody who wants security speaks without it.
+    assertEquals(
+        "ROS_SECURITY_ENABLE is true, but " + source, refusal("ROS_SECURITY_ENABLE", "true"));
+    assertEquals(
+        "URBI_ROS_MIDDLEWARE is embedded or rcl, and is 'dds'",
+        refusal("URBI_ROS_MIDDLEWARE", "dds"));
+    try (Neighbourhood domain = new Neighbourhood();
+        Node ours = usual(domain, "rmw_cyclonedds_cpp");
+        Node other = usual(domain, "rmw_zenoh_cpp")) {
+      assertInstanceOf(TwoNode.class, ours);
+      assertInstanceOf(TwoNode.class, other);
+      assertEquals(
+          "RMW_IMPLEMENTATION is rmw_zenoh_cpp, but "
+              + source
+              + "; until then, only nodes with DDS are reached",
+          told.poll());
+      assertTrue(told.isEmpty(), told::toString);
+    }
+  }
+
+  private Node usual(Neighbourhood domain, String implementation) {
+    return Middleware.start(
+        Map.of("RMW_IMPLEMENTATION", implementation), settings(domain.domain(), "node"), told::add);
+  }
+
+  @Test
+  void whatIsBrokenIsNamed() throws Exception {
+    Files.writeString(library(), "not a library");
+    String text = refusal("URBI_ROS_MIDDLEWARE", "rcl");
+    assertTrue(
+        text.startsWith("URBI_ROS_MIDDLEWARE is rcl, but " + library() + " cannot be loaded: "),
+        text);
+  }
+
+  @Test
+  void anOldOneIsNamed() throws Exception {
+    Files.copy(Ways.installation().resolve("lib/librcutils.so"), library());
+    String text = refusal("URBI_ROS_MIDDLEWARE", "rcl");
+    assertTrue(text.contains("librcl.so is older than ROS 2 Iron"), text);
+  }
+
+  @Test
+  void typesThatAreNotInstalled() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node node = Ways.start("rcl", settings(domain.domain(), "node"), told::add)) {
+      MessageType range = node.definitions().message("sensor_msgs/Range");
+      RosException missing =
+          assertThrows(
+              RosException.class, () -> node.subscribe("range", range, Qos.DEFAULT, message -> {}));
+      assertEquals(
+          "the installed ROS 2 has nothing of the package sensor_msgs: build it there,"
+              + " or set URBI_ROS_MIDDLEWARE=embedded",
+          missing.getMessage());
+      // Others go on.
+      MessageType string = node.definitions().message("std_msgs/String");
+      node.subscribe("text", string, Qos.DEFAULT, message -> {}).close();
+    }
+  }
+
+  @Test
+  void nothingIsHeardAfterItWasClosed() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node other = TwoNode.start(settings(domain.domain(), "other"), told::add)) {
+      MessageType string = other.definitions().message("std_msgs/String");
+      BlockingQueue<String> connected = new LinkedBlockingQueue<>();
+      Publisher publisher =
+          other.advertise(
+              "x",
+              string,
+              Qos.DEFAULT,
+              new Publisher.Listener() {
+                @Override
+                public void connected(String node) {
+                  connected.add(node);
+                }
+              });
+      UDictionary message = Templates.of(string).with("data", "hello");
+      for (int i = 0; i < 3; i++) {
+        BlockingQueue<UDictionary> heard = new LinkedBlockingQueue<>();
+        Node node = Ways.start("rcl", settings(domain.domain(), "node" + i), told::add);
+        Subscription subscription = node.subscribe("x", string, Qos.DEFAULT, heard::add);
+        Publisher own = node.advertise("y", string, Qos.DEFAULT, new Publisher.Listener() {});
+        assertTrue(connected.poll(60, TimeUnit.SECONDS) instanceof String);
+        publisher.publish(message);
+        assertTrue(heard.poll(60, TimeUnit.SECONDS) instanceof UDictionary);
+        // The last one is closed with its node only, while messages come.
+        for (int j = 0; j < 100; j++) publisher.publish(message);
+        if (i < 2) subscription.close();
+        node.close();
+        node.close();
+        heard.clear();
+        publisher.publish(message);
+        own.publish(message);
+        assertEquals(0, own.subscribers());
+        assertThrows(
+            RosException.class,
+            () -> node.advertise("z", string, Qos.DEFAULT, new Publisher.Listener() {}));
+        assertTrue(heard.isEmpty());
+      }
+      assertTrue(told.isEmpty(), told::toString);
+    }
+  }
+}
