@@ -98,6 +98,7 @@ export class Controls {
     for (const button of this.#byId("driving").querySelectorAll("button")) {
       const way = button.dataset.drive.split(" ").map(Number);
       button.addEventListener("pointerdown", () => this.#hold(button, way));
+      button.addEventListener("contextmenu", (event) => event.preventDefault());
       button.addEventListener("keydown", ({ key }) => (key === "Enter" || key === " ") && this.#hold(button, way));
       for (const end of ["pointerup", "pointerleave", "pointercancel", "keyup", "blur"])
         button.addEventListener(end, () => this.#release(button));

@@ -6,7 +6,7 @@ const KEY_TURN = 0.1;
 const ZOOM = 0.0012;
 const KEY_ZOOM = 0.85;
 const STEEPEST = Math.PI / 2 - 0.01;
-const CLICK_PIXELS = 4;
+const CLICK_PIXELS = { mouse: 4, touch: 14 };
 
 export class Orbit {
   #canvas;
@@ -19,6 +19,7 @@ export class Orbit {
   #size = 2;
   #pointers = new Map();
   #travelled = 0;
+  #unsteady = CLICK_PIXELS.mouse;
 
   constructor(canvas, camera, changed) {
     this.#canvas = canvas;
@@ -40,9 +41,9 @@ export class Orbit {
     this.#apply();
   }
 
-  // Whether the pointer has hardly moved since it was pressed.
+  // Whether the pointer has hardly moved since it was pressed; a finger is less steady than a mouse.
   get clicked() {
-    return this.#travelled < CLICK_PIXELS;
+    return this.#travelled < this.#unsteady;
   }
 
   #apply() {
@@ -55,6 +56,7 @@ export class Orbit {
     this.#camera.near = this.#distance / 200;
     this.#camera.far = this.#distance * 4 + 20 * this.#size;
     this.#camera.updateProjectionMatrix();
+    this.#canvas.dataset.distance = this.#distance;
     this.#changed();
   }
 
@@ -63,6 +65,7 @@ export class Orbit {
     this.#canvas.setPointerCapture(event.pointerId);
     this.#pointers.set(event.pointerId, [event.clientX, event.clientY]);
     this.#travelled = 0;
+    this.#unsteady = CLICK_PIXELS[event.pointerType] ?? CLICK_PIXELS.mouse;
   }
 
   #move(event) {

@@ -150,6 +150,9 @@ function theme() {
   redraw();
 }
 
+// A page that browsers keep, for the case that somebody comes back to it, looks no longer.
+addEventListener("pagehide", () => stream.close());
+
 addEventListener("storage", theme);
 addEventListener("resize", redraw);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);

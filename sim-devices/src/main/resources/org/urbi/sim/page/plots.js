@@ -1,7 +1,8 @@
 // How the motors follow their targets: a plot for each, over the last seconds of simulated time.
 
 const SECONDS = 12;
-const MARGIN = { left: 40, right: 6, top: 6, bottom: 18 };
+// In the unit that grows with the screen, as all sizes here.
+const MARGIN = { left: 2.5, right: 0.4, top: 0.4, bottom: 1.1 };
 
 // Gives a canvas as many pixels as the screen has for it.
 export function fit(canvas) {
@@ -21,6 +22,8 @@ export function style(element, name) {
   element.style.color = `var(--${name})`;
   return getComputedStyle(element).color;
 }
+
+const unit = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
 // Round numbers between two others, so many of them or fewer.
 function ticks(low, high, most) {
@@ -78,42 +81,43 @@ class Plot {
     const { pen, width, height } = fit(this.#canvas);
     const end = this.#samples.at(-1).time;
     const [low, high] = this.#range();
-    const inner = { width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom };
-    const x = (time) => MARGIN.left + (1 - (end - time) / SECONDS) * inner.width;
-    const y = (number) => MARGIN.top + (1 - (number - low) / (high - low)) * inner.height;
+    const margin = Object.fromEntries(Object.entries(MARGIN).map(([side, size]) => [side, size * unit()]));
+    const inner = { width: width - margin.left - margin.right, height: height - margin.top - margin.bottom };
+    const x = (time) => margin.left + (1 - (end - time) / SECONDS) * inner.width;
+    const y = (number) => margin.top + (1 - (number - low) / (high - low)) * inner.height;
     pen.clearRect(0, 0, width, height);
-    this.#drawGrid(pen, x, y, [low, high], end, width);
+    this.#drawGrid(pen, x, y, [low, high], end, { width, margin });
     pen.save();
     pen.beginPath();
-    pen.rect(MARGIN.left, 0, inner.width, height);
+    pen.rect(margin.left, 0, inner.width, height);
     pen.clip();
     this.#drawLine(pen, x, y, "value", [], 2.5);
     this.#drawLine(pen, x, y, "target", [5, 4], 1.5);
     pen.restore();
   }
 
-  #drawGrid(pen, x, y, [low, high], end, width) {
+  #drawGrid(pen, x, y, [low, high], end, { width, margin }) {
     const line = style(this.#canvas, "line");
     const faint = style(this.#canvas, "faint");
     pen.lineWidth = 1;
-    pen.font = "11px system-ui, sans-serif";
+    pen.font = `${0.7 * unit()}px system-ui, sans-serif`;
     pen.textAlign = "right";
     pen.textBaseline = "middle";
     const levels = ticks(low, high, 4);
     for (const level of levels.all) {
       pen.strokeStyle = line;
       pen.beginPath();
-      pen.moveTo(MARGIN.left, y(level));
-      pen.lineTo(width - MARGIN.right, y(level));
+      pen.moveTo(margin.left, y(level));
+      pen.lineTo(width - margin.right, y(level));
       pen.stroke();
       pen.fillStyle = faint;
-      pen.fillText(level.toFixed(levels.digits).replace("-", "−"), MARGIN.left - 6, y(level));
+      pen.fillText(level.toFixed(levels.digits).replace("-", "−"), margin.left - 6, y(level));
     }
     pen.textAlign = "center";
     pen.textBaseline = "alphabetic";
     for (let time = Math.ceil((end - SECONDS) / 4) * 4; time <= end; time += 4)
-      if (time >= 0 && x(time) > MARGIN.left + 8 && x(time) < width - 12)
-        pen.fillText(`${time} s`, x(time), y(low) + 14);
+      if (time >= 0 && x(time) > margin.left + 8 && x(time) < width - unit())
+        pen.fillText(`${time} s`, x(time), y(low) + 0.9 * unit());
   }
 
   #drawLine(pen, x, y, what, dashes, thickness) {

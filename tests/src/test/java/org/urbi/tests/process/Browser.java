@@ -13,55 +13,70 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.urbi.tests.TestTimeout;
 
 /**
  * A Chromium without a window, in an empty profile of its own, that is told what to do by
- * chromedriver (W3C WebDriver).
+ * chromedriver (W3C WebDriver). To start one costs more than most that is done with it: all suites
+ * of this JVM share two, one flat and one spatial, which end with the JVM.
  */
-final class Browser implements AutoCloseable {
-  private static final int POLL_MILLISECONDS = 150;
+final class Browser {
+  private static final int POLL_MILLISECONDS = 100;
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final int LONGEST_TEXT = 3000;
   private static final Pattern STARTED = Pattern.compile("started successfully on port (\\d+)");
   private static final Pattern SESSION = Pattern.compile("\"sessionId\":\"([^\"]+)\"");
-  private static final Pattern TEXT = Pattern.compile("\\{\"value\":\"((?:[^\"\\\\]|\\\\.)*)\"\\}");
+  private static final Pattern TEXT =
+      Pattern.compile("\\{\"value\":\"((?:[^\"\\\\]++|\\\\.)*+)\"\\}");
 
-  private static final String[] OPTIONS = {
-    "--headless",
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--window-size=1200,1000"
-  };
+  private static final List<String> OPTIONS =
+      List.of(
+          "--headless",
+          "--no-sandbox",
+          // It ends when chromedriver does, also when that is killed.
+          "--remote-debugging-pipe",
+          "--disable-quic",
+          "--no-first-run",
+          "--disable-background-networking",
+          "--disable-component-update",
+          "--disable-sync",
+          "--window-size=1200,1000");
 
-  private static final String[] FLAT = {"--disable-gpu", "--disable-3d-apis"};
-  private static final String[] SPATIAL = {
-    "--use-angle=swiftshader", "--enable-unsafe-swiftshader"
-  };
+  private static final List<String> FLAT = List.of("--disable-gpu", "--disable-3d-apis");
+  private static final List<String> SPATIAL =
+      List.of("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+
+  private static final Map<List<String>, Browser> SHARED = new HashMap<>();
 
   private final HttpClient client = HttpClient.newHttpClient();
+
+  /** For its profile, and all else that it leaves behind. */
+  private final Path folder = Files.createTempDirectory("urbi-browser");
+
   private final Process driver;
   private String session;
   private boolean open;
 
-  private Browser(Path program, Path folder, String[] graphics) throws IOException {
+  private Browser(Path program, List<String> graphics) throws IOException {
     ProcessBuilder builder =
         new ProcessBuilder("chromedriver", "--port=0").redirectErrorStream(true);
-    // For its profile, and all else that it leaves behind.
     builder.environment().put("TMPDIR", folder.toString());
     driver = builder.start();
+    Guardian.ofThisJvm().guard(driver);
+    Runtime.getRuntime().addShutdownHook(new Thread(this::end));
     try {
       session = "http://127.0.0.1:" + port() + "/session";
       String options =
-          Stream.concat(Stream.of(OPTIONS), Stream.of(graphics))
+          Stream.concat(OPTIONS.stream(), graphics.stream())
               .map(each -> '"' + each + '"')
               .collect(Collectors.joining(","));
       String answer =
@@ -75,27 +90,32 @@ final class Browser implements AutoCloseable {
       session += "/" + first(SESSION, answer);
       open = true;
     } catch (IOException | RuntimeException | Error e) {
-      close();
+      end();
       throw e;
     }
   }
 
-  /** Starts one that keeps its files in a folder; the test is skipped where there is none. */
-  static Browser start(Path folder) throws IOException {
-    return start(folder, FLAT);
+  /** The one that draws in two dimensions only; the test is skipped where there is no browser. */
+  static Browser flat() throws IOException {
+    return shared(FLAT);
   }
 
-  /** The same, and it draws in three dimensions: WebGL, computed by its processor. */
-  static Browser startSpatial(Path folder) throws IOException {
-    return start(folder, SPATIAL);
+  /** The one that draws in three dimensions: WebGL, computed by its processor. */
+  static Browser spatial() throws IOException {
+    return shared(SPATIAL);
   }
 
-  private static Browser start(Path folder, String[] graphics) throws IOException {
+  private static synchronized Browser shared(List<String> graphics) throws IOException {
     Path chromium = inPath("chromium");
     assumeTrue(
         chromium != null && inPath("chromedriver") != null,
         "skipped: no chromium and chromedriver (Debian: chromium, chromium-driver)");
-    return new Browser(chromium, folder, graphics);
+    Browser known = SHARED.get(graphics);
+    if (known == null || !known.driver.isAlive()) {
+      known = new Browser(chromium, graphics);
+      SHARED.put(graphics, known);
+    }
+    return known;
   }
 
   private static Path inPath(String program) {
@@ -138,8 +158,7 @@ final class Browser implements AutoCloseable {
 
   private String send(HttpRequest.Builder request) throws IOException {
     try {
-      HttpRequest built =
-          request.header("content-type", "application/json").timeout(TestTimeout.LONG).build();
+      HttpRequest built = request.header("content-type", "application/json").timeout(LIMIT).build();
       return client.send(built, HttpResponse.BodyHandlers.ofString()).body();
     } catch (InterruptedException e) {
       throw new AssertionError(e);
@@ -154,20 +173,82 @@ final class Browser implements AutoCloseable {
     }
   }
 
+  /** Leaves the page, which asks for nothing any more. */
+  void leave() throws IOException {
+    open("about:blank");
+  }
+
+  /** Has the screen of a telephone, and a finger instead of a mouse. */
+  void becomeTelephone() throws IOException {
+    emulate("setDeviceMetricsOverride", screen(390, 844, true));
+    emulate("setTouchEmulationEnabled", "\"enabled\":true,\"maxTouchPoints\":2");
+  }
+
+  /** Has a screen as large as a wall. */
+  void becomeWall() throws IOException {
+    emulate("setDeviceMetricsOverride", screen(3840, 2160, false));
+    emulate("setTouchEmulationEnabled", "\"enabled\":false");
+  }
+
+  /** Has the window again with which it began. */
+  void becomeUsual() throws IOException {
+    emulate("clearDeviceMetricsOverride", "");
+    emulate("setTouchEmulationEnabled", "\"enabled\":false");
+  }
+
+  private static String screen(int width, int height, boolean mobile) {
+    return "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":%b"
+        .formatted(width, height, mobile);
+  }
+
+  private void emulate(String command, String parameters) throws IOException {
+    demand(
+        "/goog/cdp/execute",
+        "{\"cmd\":\"Emulation." + command + "\",\"params\":{" + parameters + "}}");
+  }
+
+  private void demand(String command, String json) throws IOException {
+    String answer = post(command, json);
+    if (answer.contains("\"error\"")) {
+      throw new AssertionError("the browser does not do it: " + answer);
+    }
+  }
+
   /** Clicks, with a pointer as people have it, at a place of the window in pixels. */
   void click(int x, int y) throws IOException {
-    String answer =
-        post(
-            "/actions",
-            """
-            {"actions":[{"type":"pointer","id":"mouse","parameters":{"pointerType":"mouse"},"actions":[
-            {"type":"pointerMove","duration":0,"x":%d,"y":%d},
-            {"type":"pointerDown","button":0},{"type":"pointerUp","button":0}]}]}
-            """
-                .formatted(x, y));
-    if (!answer.equals("{\"value\":null}")) {
-      throw new AssertionError("the browser does not click: " + answer);
-    }
+    demand(
+        "/actions",
+        """
+        {"actions":[{"type":"pointer","id":"mouse","parameters":{"pointerType":"mouse"},"actions":[
+        {"type":"pointerMove","duration":0,"x":%d,"y":%d},
+        {"type":"pointerDown","button":0},{"type":"pointerUp","button":0}]}]}
+        """
+            .formatted(x, y));
+  }
+
+  /** Draws two fingers apart, in both directions from a place, across. */
+  void spread(int x, int y) throws IOException {
+    demand(
+        "/actions",
+        "{\"actions\":["
+            + finger("one", x - 20, y, x - 70)
+            + ","
+            + finger("other", x + 20, y, x + 70)
+            + "]}");
+  }
+
+  /** Draws a finger across, from a place to another one. */
+  void swipe(int x, int y, int to) throws IOException {
+    demand("/actions", "{\"actions\":[" + finger("one", x, y, to) + "]}");
+  }
+
+  private static String finger(String name, int x, int y, int to) {
+    return """
+    {"type":"pointer","id":"%s","parameters":{"pointerType":"touch"},"actions":[
+    {"type":"pointerMove","duration":0,"x":%d,"y":%d},{"type":"pointerDown","button":0},
+    {"type":"pointerMove","duration":50,"x":%d,"y":%d},{"type":"pointerUp","button":0}]}
+    """
+        .formatted(name, x, y, to, y);
   }
 
   /** What the body of a function in JavaScript returns, as text. */
@@ -180,31 +261,39 @@ final class Browser implements AutoCloseable {
   /** Evaluates until the result is as wanted, and returns that. */
   String await(String what, String body, Predicate<String> wanted)
       throws IOException, InterruptedException {
-    long deadline = System.nanoTime() + TestTimeout.LONG.toNanos();
+    long deadline = System.nanoTime() + LIMIT.toNanos();
     while (true) {
       String result = evaluate(body);
       if (wanted.test(result)) {
         return result;
       }
       if (System.nanoTime() > deadline) {
-        throw new AssertionError(what + ": still " + result);
+        throw new AssertionError(what + ": still " + result + "; the page says:\n" + said());
       }
       Thread.sleep(POLL_MILLISECONDS);
     }
   }
 
-  @Override
-  public void close() {
+  /** What somebody can read on the page, the beginning of it. */
+  private String said() throws IOException {
+    return evaluate("return document.body.innerText.slice(0, " + LONGEST_TEXT + ")")
+        .replace("\\n", "\n");
+  }
+
+  private void end() {
     try {
       if (open) {
         send(HttpRequest.newBuilder(URI.create(session)).DELETE());
       }
       List<ProcessHandle> children = driver.descendants().toList();
       children.forEach(ProcessHandle::destroyForcibly);
-      driver.destroy();
-      driver.waitFor(TestTimeout.LONG);
+      driver.destroyForcibly();
+      driver.waitFor(LIMIT);
       for (ProcessHandle child : children) {
         child.onExit().join();
+      }
+      try (Stream<Path> left = Files.walk(folder)) {
+        left.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
       }
     } catch (IOException | InterruptedException e) {
       driver.destroyForcibly();

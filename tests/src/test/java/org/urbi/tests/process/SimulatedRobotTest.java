@@ -63,9 +63,9 @@ class SimulatedRobotTest {
   }
 
   @Test
-  void demonstrationIsSeenInABrowser(@TempDir Path folder) throws Exception {
-    try (Browser browser = Browser.start(folder);
-        JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
+  void demonstrationIsSeenInABrowser() throws Exception {
+    Browser browser = Browser.flat();
+    try (JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
       assertTrue(address.matches("http://localhost:\\d+/#robot"), address);
@@ -82,6 +82,7 @@ class SimulatedRobotTest {
           "the loss of the connection",
           "return document.querySelector('#connection').dataset.state",
           "lost"::equals);
+      browser.leave();
       assertEquals(0, urbi.awaitEnd(), urbi::text);
     }
   }
@@ -93,6 +94,18 @@ class SimulatedRobotTest {
         "return " + frame + "?.contentDocument?.querySelector('#connection')?.dataset.state",
         "live"::equals);
     Accessibility.check(browser);
+    browser.becomeTelephone();
+    String wide = frame + "?.contentDocument.documentElement";
+    String whole =
+        "return "
+            + wide
+            + ".scrollWidth <= 390 && "
+            + wide
+            + ".scrollHeight <= "
+            + frame
+            + ".offsetHeight";
+    browser.await("the whole page on a telephone", whole, "true"::equals);
+    browser.becomeUsual();
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     browser.await("the room of the jobs", "return !!" + frame, "false"::equals);
     browser.open(browser.evaluate("return document.querySelector('#robot-alone').href"));
@@ -183,8 +196,8 @@ class SimulatedRobotTest {
 
   @Test
   void worldIsTouchedInABrowser(@TempDir Path folder) throws Exception {
-    try (Browser browser = Browser.startSpatial(folder);
-        JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
+    Browser browser = Browser.spatial();
+    try (JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
       urbi.send("echo(\"" + ALONE + "\" + simulation.page.url);\n");
       String line = urbi.awaitText(ALONE);
       browser.open(line.substring(line.indexOf(ALONE) + ALONE.length()));
@@ -196,6 +209,7 @@ class SimulatedRobotTest {
       press(browser, "#flat");
       browser.await("the scene from above", colours("#scene"), count -> number(count) > 20);
       unusualWorldsAreShown(browser, urbi, folder);
+      browser.leave();
       urbi.send("shutdown;\n");
       assertEquals(0, urbi.awaitEnd(), urbi::text);
       assertTrue(!urbi.text().contains("!!!"), urbi::text);
@@ -270,6 +284,11 @@ class SimulatedRobotTest {
       key(browser, "keydown", "n");
     }
     assertEquals("ball", browser.evaluate(PICKED));
+    String distance = "return document.querySelector('#space').dataset.distance";
+    double far = Double.parseDouble(browser.evaluate(distance));
+    browser.spread(x, top + height / 2);
+    browser.await("two fingers", distance, now -> Double.parseDouble(now) < 0.7 * far);
+    assertEquals("ball", browser.evaluate(PICKED), "fingers that move pick nothing");
     urbi.send("simulation.world.move(\"ball\", 0, 0, 0);\n");
     awaitTruth(urbi, "at rest", "simulation.world.velocity(\"ball\")[0] == 0");
     press(browser, "#push");
@@ -288,9 +307,27 @@ class SimulatedRobotTest {
     awaitTruth(urbi, "let go", "robot.body.wheel[left].val.abs < 0.1");
     key(browser, "keydown", "s");
     awaitTruth(urbi, "driven back", "robot.body.wheel[left].val < -2");
+    key(browser, "keyup", "s");
+    gamepadDrives(browser, urbi);
+    key(browser, "keydown", "s");
+    awaitTruth(urbi, "driven back again", "robot.body.wheel[left].val < -2");
     browser.evaluate("location.reload(); return 1");
     awaitTruth(urbi, "left alone", "robot.body.wheel[left].val.abs < 0.1");
     browser.await("the world again", SPACE, count -> number(count) > 50);
+  }
+
+  /** A stick that is pushed, let go, and pulled out while it is pushed. */
+  private static void gamepadDrives(Browser browser, JavaProcess urbi) throws Exception {
+    String stick = "navigator.getGamepads = () => [null, {axes: [0, %s]}];";
+    String connected = "dispatchEvent(new Event('gamepadconnected')); return 1";
+    browser.evaluate(stick.formatted("-1") + connected);
+    awaitTruth(urbi, "driven by a stick", "robot.body.wheel[left].val > 2");
+    browser.evaluate(stick.formatted("0.1") + "return 1");
+    awaitTruth(urbi, "the stick let go", "robot.body.wheel[left].val.abs < 0.1");
+    browser.evaluate(stick.formatted("-1") + "return 1");
+    awaitTruth(urbi, "driven again", "robot.body.wheel[left].val > 2");
+    browser.evaluate("navigator.getGamepads = () => [null, null]; return 1");
+    awaitTruth(urbi, "pulled out", "robot.body.wheel[left].val.abs < 0.1");
   }
 
   @Test

@@ -24,16 +24,16 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
   static StudioPage start(Path folder, String program, String room) throws Exception {
     Path file = Files.writeString(folder.resolve("program.u"), program);
     List<String> words = List.of("--studio=0", "-P", "0", "-i", "-f", file.toString());
-    Browser browser = Browser.start(folder);
+    Browser browser = Browser.flat();
+    JavaProcess urbi = JavaProcess.start(Setting.in(folder), URBI, words);
     try {
-      JavaProcess urbi = JavaProcess.start(Setting.in(folder), URBI, words);
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
       assertTrue(address.matches("http://localhost:\\d+/"), address);
       browser.open(address + room);
       return new StudioPage(browser, urbi, address);
     } catch (Exception | Error e) {
-      browser.close();
+      urbi.close();
       throw e;
     }
   }
@@ -55,7 +55,7 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
   @Override
   public void close() throws Exception {
     try (urbi) {
-      browser.close();
+      browser.leave();
     }
   }
 }

@@ -19,6 +19,29 @@ class StudioTest {
       many: for& (3000) sleep(1h),
       """;
 
+  private static final String LETTERS =
+      "return parseFloat(getComputedStyle(document.body).fontSize)";
+
+  private static final String CUT =
+      """
+      const wide = document.documentElement.clientWidth;
+      const cut = [...document.querySelectorAll('body *')].filter((element) => {
+        const {left, right, width, height} = element.getBoundingClientRect();
+        return width && height && (left < -1 || right > wide + 1);
+      });
+      if (document.documentElement.scrollWidth > wide) cut.push(document.body);
+      return cut.map((element) => element.id || element.className || element.tagName).join(' ');
+      """;
+
+  private static final String TOO_SMALL =
+      """
+      const small = [...document.querySelectorAll('button, select, input, a, [role=treeitem], .twisty')].filter((element) => {
+        const {width, height} = element.getBoundingClientRect();
+        return width && height && (width < 44 || height < 44) && !element.matches('p a');
+      });
+      return small.map((element) => element.id || element.className || element.textContent).join(' ');
+      """;
+
   /** JavaScript that finds the row of the job whose code begins like that. */
   private static String row(String code) {
     return "[...document.querySelectorAll('.row')]"
@@ -44,6 +67,7 @@ class StudioTest {
       seesLanes(browser);
       seesCalls(browser);
       Accessibility.check(browser);
+      fitsAnyScreen(browser);
       steersJobs(browser, urbi);
       usesKeysAlone(browser);
       ForeignPage.attack(browser, urbi, page.address());
@@ -92,6 +116,23 @@ class StudioTest {
             text.contains("function Global.rest() { sleep(1h) }")
                 && text.contains("resting: rest(),")
                 && text.contains("program.u:4."));
+  }
+
+  /** What of a page is cut or too small for a finger; and every room is there. */
+  private static void fitsAnyScreen(Browser browser) throws Exception {
+    browser.becomeTelephone();
+    for (String room : new String[] {"reactions", "variables", "code", "robot", "jobs"}) {
+      browser.evaluate("document.querySelector('nav a[href=\"#" + room + "\"]').click()");
+      String open = "return !!document.querySelector('[data-room=" + room + "]:not([hidden])')";
+      browser.await("the room " + room, open, "true"::equals);
+      assertEquals("", browser.evaluate(CUT), room);
+      assertEquals("", browser.evaluate(TOO_SMALL), room);
+    }
+    browser.becomeWall();
+    browser.await("large letters", LETTERS, size -> Double.parseDouble(size) > 24);
+    assertEquals("", browser.evaluate(CUT), "on a wall");
+    browser.becomeUsual();
+    browser.await("usual letters", LETTERS, "15"::equals);
   }
 
   private static void steersJobs(Browser browser, JavaProcess urbi) throws Exception {

@@ -96,6 +96,7 @@ class StudioVariablesTest {
         return new Set(new Uint32Array(pixels.buffer)).size;
         """,
         colours -> Integer.parseInt(colours) > 10);
+    isZoomedByAFinger(browser);
     browser.evaluate("document.querySelector('#plot-pause').click()");
     String frozen = browser.evaluate(points);
     browser.await("later values", facts(), text -> !text.isEmpty());
@@ -107,6 +108,21 @@ class StudioVariablesTest {
     browser.evaluate("document.querySelector('#plotted button').click()");
     String plotted = "return document.querySelectorAll('#plotted li').length";
     assertEquals("1", browser.evaluate(plotted));
+  }
+
+  private static void isZoomedByAFinger(Browser browser) throws Exception {
+    String place =
+        """
+        document.querySelector('#plot-area').scrollIntoView();
+        const {left, top, width, height} = document.querySelector('#plot-area .u-over').getBoundingClientRect();
+        return Math.round(%s)
+        """;
+    int x = Integer.parseInt(browser.evaluate(place.formatted("left + width / 4")));
+    int y = Integer.parseInt(browser.evaluate(place.formatted("top + height / 2")));
+    String zoomed = "return document.querySelector('#plot-area').dataset.zoomed";
+    assertEquals("false", browser.evaluate(zoomed));
+    browser.swipe(x, y, x + 200);
+    browser.await("the part between", zoomed, "true"::equals);
   }
 
   private static void seesAnImage(Browser browser) throws Exception {

@@ -10,7 +10,7 @@ const MOST_RUNS = 50;
 const LONGEST_TITLE = 200;
 const LONGEST_PATH = 1000;
 const FIRST_TEXT = `// Ctrl-Enter runs what is selected, or everything.
-loop: every (1s) echo("tick"),
+ticking: every (1s) echo("tick"),
 `;
 
 const PAGE = `

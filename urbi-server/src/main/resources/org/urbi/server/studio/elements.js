@@ -6,6 +6,9 @@ export const make = (tag, text = "", properties = {}) => {
   return Object.assign(made, properties);
 };
 
+// Pixels, of a size in the unit that grows with the screen.
+export const rem = (size) => size * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+
 // Puts other content into an element, unless it is what is there: a click must not miss a button.
 export function put(host, state, content) {
   const text = JSON.stringify(state);

@@ -1,4 +1,5 @@
 // The list of jobs. Of very many lines only those in sight are in the document.
+import { rem } from "./elements.js";
 import { Jobs } from "./jobs.js";
 
 const BEYOND = 4;
@@ -29,7 +30,7 @@ export class JobList {
   }
 
   height() {
-    return Number.parseFloat(getComputedStyle(document.documentElement).getPropertyValue("--row"));
+    return rem(Number.parseFloat(getComputedStyle(document.documentElement).getPropertyValue("--row")));
   }
 
   // Makes the lines anew, if something has changed that they depend on.

@@ -1,11 +1,12 @@
 // Plots numbers while they change.
 import uPlot from "./libraries/uPlot.esm.js";
-import { make } from "./elements.js";
+import { make, rem } from "./elements.js";
 import { shownWay } from "./objects.js";
+import { zoomByTouch } from "./plot-touch.js";
 
 const MOST = 16;
 const KEPT_SECONDS = 600;
-const HEIGHT = 220;
+const HEIGHT = 13.75;
 const COLOURS = ["jobs", "signal", "running", "event", "condition", "bad", "outside", "frozen"];
 
 export class Plot {
@@ -94,6 +95,7 @@ export class Plot {
     if (this.zoomed) this.chart.redraw();
     else if (!this.paused) this.chart.setScale("x", { min: Math.max(end - span, this.data[0][0] ?? 0), max: end });
     this.find("plot-area").dataset.points = this.data[0].length;
+    this.find("plot-area").dataset.zoomed = this.zoomed;
   }
 
   colour(name) {
@@ -114,17 +116,18 @@ export class Plot {
     this.find("plot-csv").disabled = this.find("plot-pause").disabled = !used;
     this.find("plotted").replaceChildren(...this.ways.map((way, i) => this.chip(way, i)));
     if (!used) return;
-    const axis = { stroke: this.colour("faint"), grid: { stroke: this.colour("line"), width: 1 }, ticks: { stroke: this.colour("line"), width: 1 } };
+    const axis = { font: `${rem(0.75)}px system-ui, sans-serif`, stroke: this.colour("faint"), grid: { stroke: this.colour("line"), width: 1 }, ticks: { stroke: this.colour("line"), width: 1 } };
     const options = {
       width: area.clientWidth || 600,
-      height: HEIGHT,
+      height: rem(HEIGHT),
       legend: { show: false },
       scales: { x: { time: false } },
-      axes: [{ ...axis, values: (_, marks) => marks.map((mark) => `${mark} s`) }, { ...axis, size: 60 }],
+      axes: [{ ...axis, size: rem(3), space: rem(4), values: (_, marks) => marks.map((mark) => `${mark} s`) }, { ...axis, size: rem(3.75) }],
       series: [{}, ...this.ways.map((way, i) => ({ label: shownWay(way), stroke: this.colour(COLOURS[i % COLOURS.length]), width: 1.5, spanGaps: false }))],
       hooks: { setSelect: [(chart) => (this.zoomed = chart.select.width > 0 || this.zoomed)] },
     };
     this.chart = new uPlot(options, this.data, area);
+    zoomByTouch(this.chart, () => (this.zoomed = true));
     this.chart.over.addEventListener("dblclick", () => {
       this.zoomed = false;
       this.draw();

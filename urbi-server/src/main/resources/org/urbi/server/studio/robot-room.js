@@ -56,6 +56,17 @@ export class Room {
     const page = world ? `annex/${world.name}/` : "";
     this.find("robot-alone").href = page;
     const seen = this.shown ? page : "";
-    put(this.find("robot-frame"), seen, () => (seen ? [make("iframe", "", { src: seen, title: `The world of ${world.title}` })] : []));
+    put(this.find("robot-frame"), seen, () => (seen ? [this.frame(seen, `The world of ${world.title}`)] : []));
+  }
+
+  // It knows how high its page is, for screens on which the whole room scrolls.
+  frame(src, title) {
+    const frame = make("iframe", "", { src, title });
+    frame.addEventListener("load", () => {
+      const page = frame.contentDocument.body;
+      const measure = () => frame.style.setProperty("--whole", `${page.offsetHeight + 2}px`);
+      new ResizeObserver(measure).observe(page);
+    });
+    return frame;
   }
 }

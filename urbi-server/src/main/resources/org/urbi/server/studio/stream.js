@@ -26,6 +26,9 @@ export class Stream {
       if (document.hidden) this.hiding = setTimeout(() => this.rest(), HIDDEN_SECONDS * 1000);
       else if (this.resting) this.connect();
     });
+    // A page that browsers keep, for the case that somebody comes back to it, must not keep its lobby.
+    window.addEventListener("pagehide", () => this.rest());
+    window.addEventListener("pageshow", () => this.resting && this.connect());
   }
 
   connect() {
