@@ -6,7 +6,7 @@ const WebSocket = require("ws");
 const [address, subprotocol] = process.argv.slice(2);
 const client = new FoxgloveClient({ ws: new WebSocket(address, [subprotocol]) });
 const topics = new Map();
-const missing = new Set(["ball", "picture"]);
+const missing = new Set(["ball", "picture", "jobs", "call", "failure"]);
 const text = (bytes) => new TextDecoder().decode(bytes);
 
 client.on("error", (error) => console.log("error", String(error)));
@@ -34,10 +34,31 @@ client.on("advertise", (channels) => {
     }
   }
 });
+client.on("advertiseServices", ([{ id, name, type, request, response }]) => {
+  console.log("service", name, type, request.encoding, response.schemaName);
+  const call = (callId, content) => {
+    const bytes = new TextEncoder().encode(JSON.stringify(content));
+    client.sendServiceCallRequest({ serviceId: id, callId, encoding: "json", data: new DataView(bytes.buffer) });
+  };
+  call(1, { function: "ball.plus", arguments: [4] });
+  call(2, { function: "nothing" });
+});
+client.on("serviceCallResponse", ({ callId, encoding, data }) => {
+  console.log("response", callId, encoding, text(data));
+  missing.delete("call");
+});
+client.on("serviceCallFailure", ({ callId, message }) => {
+  console.log("failure", callId, message);
+  missing.delete("failure");
+});
 client.on("message", ({ subscriptionId, timestamp, data }) => {
   const message = JSON.parse(text(data));
   const topic = topics.get(subscriptionId);
   const age = Math.abs(Date.now() - Number(timestamp / 1000000n)) < 60000 ? "now" : "once";
+  if (message.jobs) {
+    if (missing.delete("jobs")) console.log("jobs", message.jobs.some((job) => job.tags.includes("counting")));
+    return;
+  }
   if (message.data !== undefined) message.data = Buffer.from(message.data, "base64").subarray(0, 3).toString("hex");
   console.log("message", topic, age, message.value ?? message.message ?? message.data);
   if (topic === "/ball/x" && message.value === 5) missing.delete("ball");

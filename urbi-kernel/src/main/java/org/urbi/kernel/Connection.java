@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.observe.CallEnd;
 import org.urbi.kernel.observe.CodeEnd;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
@@ -213,4 +214,13 @@ public interface Connection {
    * @return why it cannot be done, empty when it was; exceptionally when the connection has closed
    */
   CompletableFuture<String> give(String path, @Nullable Object value);
+
+  /**
+   * Calls the function in a slot, in a job of the lobby.
+   *
+   * @param path to it, as of {@link #give}
+   * @param arguments what may be given
+   * @return what it has returned; exceptionally when the connection has closed
+   */
+  CompletableFuture<CallEnd> call(String path, List<@Nullable Object> arguments);
 }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -18,19 +19,26 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
+import org.urbi.kernel.observe.CallEnd;
 import org.urbi.kernel.observe.GivenSlot;
 import org.urbi.kernel.observe.VariableFeed;
 import org.urbi.kernel.observe.VariableListener;
 
-/** What the client of a connection is told of variables, and gives to them. */
+/** What the client of a connection is told of variables, gives to them, and calls. */
 final class ConnectionFeed {
   private record Question(List<String> paths, CompletableFuture<List<@Nullable Object>> answer) {}
+
+  /** What is done with a slot, in a job; it returns what the client is told. */
+  @FunctionalInterface
+  private interface Work {
+    @Nullable Object run(GivenSlot slot, Frame frame);
+  }
 
   private final Kernel kernel;
   private final int number;
   private final AtomicInteger questions = new AtomicInteger();
   private final Map<Integer, Question> asked = new ConcurrentHashMap<>();
-  private final Map<Integer, CompletableFuture<String>> given = new ConcurrentHashMap<>();
+  private final Map<Integer, CompletableFuture<CallEnd>> given = new ConcurrentHashMap<>();
 
   /** In a replay nobody listens. */
   private volatile VariableListener listener = VariableListener.NONE;
@@ -63,10 +71,20 @@ final class ConnectionFeed {
   }
 
   CompletableFuture<String> give(String path, @Nullable Object value) {
-    CompletableFuture<String> answer = new CompletableFuture<>();
+    Outcome sent = new Outcome(value, null);
+    return post(id -> new Message.ValueGiven(number, id, path, sent)).thenApply(CallEnd::error);
+  }
+
+  CompletableFuture<CallEnd> call(String path, List<@Nullable Object> arguments) {
+    Outcome sent = new Outcome(arguments, null);
+    return post(id -> new Message.FunctionCalled(number, id, path, sent));
+  }
+
+  private CompletableFuture<CallEnd> post(IntFunction<Message> message) {
+    CompletableFuture<CallEnd> answer = new CompletableFuture<>();
     int id = questions.incrementAndGet();
     given.put(id, answer);
-    kernel.inbox().post(new Message.ValueGiven(number, id, path, new Outcome(value, null)));
+    kernel.inbox().post(message.apply(id));
     cancelIfClosed();
     return answer;
   }
@@ -104,7 +122,24 @@ final class ConnectionFeed {
         wanted.answer().complete(seen(wanted.paths()));
       }
     } else if (message instanceof Message.ValueGiven gift) {
-      give(lobby, gift);
+      Object value = gift.value().value();
+      begin(
+          lobby,
+          "given",
+          gift.path(),
+          gift.question(),
+          (slot, frame) -> {
+            slot.give(frame, value);
+            return null;
+          });
+    } else if (message instanceof Message.FunctionCalled call) {
+      List<?> arguments = call.arguments().value() instanceof List<?> list ? list : List.of();
+      begin(
+          lobby,
+          "called",
+          call.path(),
+          call.question(),
+          (slot, frame) -> slot.call(frame, arguments));
     }
   }
 
@@ -137,38 +172,39 @@ final class ConnectionFeed {
     return values;
   }
 
-  private void give(UrbiLobby lobby, Message.ValueGiven gift) {
-    GivenSlot slot = find(gift.path());
+  private void begin(UrbiLobby lobby, String name, String path, int question, Work work) {
+    GivenSlot slot = find(path);
     if (slot == null) {
-      done(gift, Problem.NO_SLOT_AT.text(gift.path()));
+      done(question, new CallEnd(Problem.NO_SLOT_AT.text(path), null));
       return;
     }
     // Until its job ends, it has not been done.
-    String[] outcome = {Problem.WAS_STOPPED.text()};
+    CallEnd[] outcome = {new CallEnd(Problem.WAS_STOPPED.text(), null)};
     kernel
         .scheduler()
         .startDetached(
             lobby,
             kernel.scheduler().rootScope(),
-            "given",
-            job -> outcome[0] = give(job, lobby, slot, gift.value().value()))
-        .onEnd(() -> done(gift, outcome[0]));
+            name,
+            job -> outcome[0] = run(job, lobby, slot, work))
+        .onEnd(() -> done(question, outcome[0]));
   }
 
-  private String give(Job job, UrbiLobby lobby, GivenSlot slot, @Nullable Object value) {
+  private CallEnd run(Job job, UrbiLobby lobby, GivenSlot slot, Work work) {
     TagScope scope = job.enter(lobby.connectionTag().state());
     try {
-      slot.give(Frame.top(kernel.interpreter(), job, lobby, new FrameLayout()), value);
-      return "";
+      Frame frame = Frame.top(kernel.interpreter(), job, lobby, new FrameLayout());
+      return new CallEnd("", work.run(slot, frame));
     } catch (UrbiException e) {
-      return Utf8Text.toJava(ErrorText.describe(kernel.interpreter(), e.unlessUncatchable()));
+      String error = ErrorText.describe(kernel.interpreter(), e.unlessUncatchable());
+      return new CallEnd(Utf8Text.toJava(error), null);
     } finally {
       job.leave(scope);
     }
   }
 
-  private void done(Message.ValueGiven gift, String outcome) {
-    CompletableFuture<String> answer = given.remove(gift.question());
+  private void done(int question, CallEnd outcome) {
+    CompletableFuture<CallEnd> answer = given.remove(question);
     if (answer != null) {
       answer.complete(outcome);
     }

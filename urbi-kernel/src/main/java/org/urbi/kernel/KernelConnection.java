@@ -24,6 +24,7 @@ import org.urbi.kernel.memory.Evictable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.observe.CallEnd;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Proposal;
@@ -271,6 +272,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   @Override
   public CompletableFuture<String> give(String path, @Nullable Object value) {
     return feed.give(path, value);
+  }
+
+  @Override
+  public CompletableFuture<CallEnd> call(String path, List<@Nullable Object> arguments) {
+    return feed.call(path, arguments);
   }
 
   // ------------------------------------------------------------------ on the kernel thread

@@ -72,7 +72,12 @@ class FoxglovePeersTest {
   void foxglovesClientLooks(String subprotocol, @TempDir Path folder) throws Exception {
     Path library = PEERS.resolve("protocol/node_modules");
     assumeTrue(Files.exists(library), "no client: scripts/foxglove-peers.sh gets it");
-    String reaction = "at (seen?(var what)) { Logger.log(what); ball.x = 5; };\n";
+    String reaction =
+        """
+        at (seen?(var what)) { Logger.log(what); ball.x = 5; };
+        function ball.plus(n) { 10 + n }|;
+        counting: every (1h) {},
+        """;
     Path program = Files.writeString(folder.resolve("program.u"), PROGRAM + reaction);
     List<String> words =
         List.of("-q", "--studio=0", "--watch", "counter", "-i", "-f", program.toString());
@@ -90,7 +95,11 @@ class FoxglovePeersTest {
               subprotocol);
       has(
           heard,
-          "server clientPublish parameters parametersSubscribe time",
+          "server clientPublish parameters parametersSubscribe services time",
+          "service /call urbi.Call json urbi.CallResponse",
+          "response 1 json {\"value\":14.0}",
+          "jobs true",
+          "channel /jobs json urbi.Jobs object",
           "channel /log json foxglove.Log object",
           "channel /counter json urbi.Number object",
           "channel /ball/x json urbi.Number object",
@@ -102,6 +111,9 @@ class FoxglovePeersTest {
           "message /ball/picture now ffd8ff",
           "parameter asked ball.x 1",
           "closed");
+      assertTrue(
+          heard.stream().anyMatch(each -> each.startsWith("failure 2 no such slot")),
+          heard::toString);
       urbi.send("shutdown;\n");
       assertEquals(0, urbi.awaitEnd(), urbi::text);
       assertTrue(!urbi.text().contains("internal error"), urbi::text);

@@ -60,6 +60,7 @@ public final class EntryCodec {
     add(53, Message.ValueGiven.class);
     add(54, Message.FileOpened.class);
     add(55, Message.FileSaved.class);
+    add(56, Message.FunctionCalled.class);
     add(60, Message.Answer.class);
     add(61, Message.BytesArrived.class);
     add(62, Message.BytesEnded.class);

@@ -201,6 +201,14 @@ public sealed interface Message {
    */
   record ValueGiven(int to, int question, String path, Outcome value) implements OfVariables {}
 
+  /**
+   * Somebody calls the function in a slot.
+   *
+   * @param arguments of the outcome: a List of what may be {@linkplain ValueGiven given}
+   */
+  record FunctionCalled(int to, int question, String path, Outcome arguments)
+      implements OfVariables {}
+
   // ------------------------------------------------------------------ remote processes
 
   /**

@@ -15,7 +15,7 @@ import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.Values;
 
 /**
- * A slot to which people give a value.
+ * A slot to which people give a value, or whose function they call.
  *
  * @param owner the object that has it, or inherits it
  * @param name of the slot
@@ -47,12 +47,25 @@ public record GivenSlot(UrbiObject owner, String name, UrbiObject present) {
             case List<?> list -> list;
             default -> List.of(value);
           };
-      UrbiObject[] payload =
-          arguments.stream().map(each -> made(frame, each)).toArray(UrbiObject[]::new);
-      frame.interpreter().send(frame, event, "emit", payload);
+      frame.interpreter().send(frame, event, "emit", made(frame, arguments));
     } else {
       SlotUpdate.assign(frame, owner, owner.world().symbol(name), made(frame, value));
     }
+  }
+
+  /**
+   * Calls the function in it, with its owner as the target and the rights of the running code.
+   *
+   * @param arguments as of {@link #give}
+   * @return as of {@link #seen}
+   */
+  public @Nullable Object call(Frame frame, List<?> arguments) {
+    UrbiObject[] made = made(frame, arguments);
+    return SeenValue.of(frame.interpreter().send(frame, owner, name, made));
+  }
+
+  private static UrbiObject[] made(Frame frame, List<?> arguments) {
+    return arguments.stream().map(each -> made(frame, each)).toArray(UrbiObject[]::new);
   }
 
   private static UrbiObject made(Frame frame, @Nullable Object value) {

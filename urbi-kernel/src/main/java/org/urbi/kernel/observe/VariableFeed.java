@@ -30,15 +30,12 @@ public final class VariableFeed {
   /** For how long names are not searched again, for each that was found, in nanoseconds. */
   private static final long PAUSE = 20_000;
 
-  private static final double MICROSECOND = 1e6;
-  private static final int NANOSECONDS = 1000;
-
   private final Interpreter interpreter;
   private final Scheduler scheduler;
   private final Supplier<? extends List<? extends UrbiObject>> roots;
   private final VariableListener listener;
   private final boolean all;
-  private final long epoch;
+  private final WorldTime time;
   private final List<FollowedVariable> variables = new ArrayList<>();
   private final List<FollowedPath> paths = new ArrayList<>();
   private final Map<Integer, FollowedSlot> told = new HashMap<>();
@@ -72,10 +69,10 @@ public final class VariableFeed {
     this.roots = roots;
     this.listener = listener;
     this.all = all;
-    this.epoch = Math.round(scheduler.clock().startTime() * MICROSECOND) * NANOSECONDS;
+    this.time = new WorldTime(scheduler);
     KnownVariables known = KnownVariables.of(interpreter.world());
     notArriving = known.listen(this::arrive);
-    notLogging = log.listen(line -> listener.logged(time(), line));
+    notLogging = log.listen(line -> listener.logged(time.now(), line));
     arrived.addAll(known.all());
     wanted.forEach(this::want);
     scheduler.atEndOfTick(this::takeArrived);
@@ -210,12 +207,8 @@ public final class VariableFeed {
     listener.gone(slot.number());
   }
 
-  private long time() {
-    return epoch + scheduler.now();
-  }
-
   void tell(int variable, @Nullable Object value) {
-    listener.value(variable, time(), value);
+    listener.value(variable, time.now(), value);
   }
 
   /**

@@ -10,6 +10,7 @@ import org.urbi.kernel.job.Turn;
  *
  * @param machine the time of the machine, in nanoseconds
  * @param time of the kernel, in nanoseconds since its start
+ * @param epochTime the same, in nanoseconds since the Epoch
  * @param total how many jobs there are
  * @param jobs that are new, or have changed
  * @param gone the numbers of the jobs that have ended
@@ -24,6 +25,7 @@ import org.urbi.kernel.job.Turn;
 public record View(
     long machine,
     long time,
+    long epochTime,
     int total,
     List<JobRow> jobs,
     List<Long> gone,

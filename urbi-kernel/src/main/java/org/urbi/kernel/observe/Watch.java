@@ -24,6 +24,7 @@ public final class Watch {
 
   private final Scheduler scheduler;
   private final TurnMeter meter;
+  private final WorldTime time;
   private final SeenTags tags = new SeenTags();
   private final KnownEvents events;
   private final Places places;
@@ -40,6 +41,7 @@ public final class Watch {
   /** Begins to look; to be {@linkplain #end ended}. */
   public Watch(Scheduler scheduler, KnownEvents events, Places places) {
     this.scheduler = scheduler;
+    time = new WorldTime(scheduler);
     this.events = events;
     this.places = places;
     meter = scheduler.beginObservation();
@@ -85,6 +87,7 @@ public final class Watch {
     return new View(
         now,
         scheduler.now(),
+        time.now(),
         round.size(),
         changed,
         gone,

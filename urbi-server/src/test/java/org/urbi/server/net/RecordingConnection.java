@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.observe.CallEnd;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Proposal;
@@ -159,6 +160,11 @@ final class RecordingConnection implements Connection {
 
   @Override
   public CompletableFuture<String> give(String path, @Nullable Object value) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<CallEnd> call(String path, List<@Nullable Object> arguments) {
     throw new UnsupportedOperationException();
   }
 

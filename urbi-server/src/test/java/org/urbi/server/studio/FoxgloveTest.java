@@ -33,6 +33,18 @@ class FoxgloveTest {
   private static final String PROTOCOL = "foxglove.sdk.v1";
   private static final String FRIEND = "https://friend.example";
 
+  /** Waits for that, for ten seconds at most. */
+  private static final String NOBODY_IS_CALLED =
+      """
+      var tries = 0|;
+      while (!System.jobs.filter(function (var j) { j.name.split("_").front == "called" }).empty && tries < 500)
+      {
+        tries++;
+        sleep(20ms);
+      };
+      tries < 500;
+      """;
+
   private static Kernel kernel;
   private static StudioServer studio;
 
@@ -89,6 +101,10 @@ class FoxgloveTest {
           int subscription = in.getInt();
           assertTrue(in.getLong() > 1_600_000_000_000_000_000L, "nanoseconds since the Epoch");
           heard.add(subscription + ": " + StandardCharsets.UTF_8.decode(in));
+        } else if (in.get(0) == 3) {
+          int call = in.getInt(5);
+          in.position(13 + in.getInt(9));
+          heard.add("call " + call + ": " + StandardCharsets.UTF_8.decode(in));
         }
       }
       from.request(1);
@@ -114,6 +130,16 @@ class FoxgloveTest {
       byte[] content = json.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
       ByteBuffer frame = ByteBuffer.allocate(5 + content.length).order(ByteOrder.LITTLE_ENDIAN);
       frame.put((byte) 1).putInt(channel).put(content);
+      send(frame.array());
+    }
+
+    /** Calls a service. */
+    void call(int service, int call, String encoding, String json) {
+      byte[] form = encoding.getBytes(StandardCharsets.UTF_8);
+      byte[] content = json.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
+      ByteBuffer frame =
+          ByteBuffer.allocate(13 + form.length + content.length).order(ByteOrder.LITTLE_ENDIAN);
+      frame.put((byte) 2).putInt(service).putInt(call).putInt(form.length).put(form).put(content);
       send(frame.array());
     }
 
@@ -357,10 +383,75 @@ class FoxgloveTest {
         observer.channel("/ball/x");
         observer.send("{'op':'setParameters','parameters':[{'name':'ball.x','value':3}]}");
         observer.await("needs the role user");
+        assertTrue(!info.contains("services"), info);
+        observer.call(1, 1, "json", "{'function':'ball.setSlot','arguments':['x',3]}");
+        assertTrue(observer.await("'callId':1").contains("needs the role user"));
       }
       try (Program wrong = new Program(guarded, "?token=fedcba9876543210", PROTOCOL)) {
         wrong.await("wrong token");
       }
+    }
+  }
+
+  @Test
+  void functionsAreCalled() throws Exception {
+    kernel.eval(
+        """
+        function Global.sum(a, b) { sleep(10ms) | a + b }|;
+        function ball.twice() { [x * 2, nil, Object] }|;
+        function Global.wait() { sleep(1h) }|;
+        """);
+    try (Program program = new Program()) {
+      program.await("{'id':1,'name':'/call','type':'urbi.Call'");
+      program.call(1, 7, "json", "{'function':'sum','arguments':[1,2.5]}");
+      program.await("call 7: {'value':3.5}");
+      program.call(1, 8, "json", "{'function':'sum','arguments':['ü','x']}");
+      program.await("call 8: {'value':'üx'}");
+      program.call(1, 9, "json", "{'function':'ball.twice'}");
+      assertTrue(program.await("call 9: ").contains(",null,\"Object\"]"));
+      program.call(1, 10, "json", "{'function':'sum','arguments':[1]}");
+      program.await("'callId':10,'message':'sum: expected 2 arguments, given 1");
+      program.call(1, 11, "json", "{'function':'nobody.there'}");
+      program.await("'callId':11,'message':'no such slot: nobody.there");
+      program.call(1, 12, "json", "{'function':3}");
+      program.await("'callId':12,'message':'function: the path of a slot expected");
+      program.call(1, 13, "json", "{'function':'sum','arguments':3}");
+      program.await("'callId':13,'message':'arguments: a list expected");
+      program.call(1, 14, "json", "nonsense");
+      program.await("'callId':14,'message':'no JSON");
+      program.call(1, 15, "ros1", "");
+      program.await("'callId':15,'message':'encoding: json expected, not ros1");
+      program.call(2, 16, "json", "{}");
+      program.await("'serviceId':2,'callId':16,'message':'no such service: 2");
+      program.send(new byte[] {2, 1, 0, 0, 0, 1, 0, 0, 0, -1, -1, -1, -1});
+      program.await("'callId':1,'message':'encoding: longer than the message");
+      program.send(new byte[] {2, 1});
+      program.await("a call of a service expected");
+      program.call(1, 17, "json", "{'function':'wait'}");
+      program.call(1, 18, "json", "{'function':'sum','arguments':[4,5]}");
+      program.await("call 18: {'value':9.0}");
+    }
+    assertEquals(true, kernel.eval(NOBODY_IS_CALLED), "what was called has ended with its caller");
+  }
+
+  @Test
+  void jobsAreToldWhenTheyChange() throws Exception {
+    try (Program program = new Program()) {
+      int jobs = program.channel("/jobs");
+      program.send("{'op':'subscribe','subscriptions':[{'id':3,'channelId':" + jobs + "}]}");
+      program.await("3: {'total':");
+      kernel.eval(
+          "var Global.busy = Tag.new(\"busy\")|; detach({busy: waituntil (ball.x == 1h)})|;");
+      String told = program.await("'busy']");
+      assertTrue(told.contains("\"waits\":\"condition\",\"frozen\":false"), told);
+      program.send("{'op':'subscribe','subscriptions':[{'id':4,'channelId':" + jobs + "}]}");
+      program.await("4: {'total':");
+      kernel.eval("busy.freeze");
+      program.await("'frozen':true");
+      program.send("{'op':'unsubscribe','subscriptionIds':[3,4]}");
+      kernel.eval("busy.stop");
+      program.send("{'op':'subscribe','subscriptions':[{'id':5,'channelId':" + jobs + "}]}");
+      assertTrue(!program.await("5: {'total':").contains("\"busy\""), "it has ended");
     }
   }
 

@@ -1,16 +1,23 @@
 package org.urbi.server.studio;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
 /** The end of a stream from the studio's port, and the texts that it has heard. */
 class StreamClient implements WebSocket.Listener, AutoCloseable {
+  /** For how long something is awaited, in nanoseconds. */
+  private static final long LIMIT = TimeUnit.SECONDS.toNanos(60);
+
   final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   final WebSocket socket;
   volatile int status;
@@ -56,12 +63,16 @@ class StreamClient implements WebSocket.Listener, AutoCloseable {
   }
 
   String await(Predicate<String> wanted) throws InterruptedException {
+    List<String> others = new ArrayList<>();
+    long deadline = System.nanoTime() + LIMIT;
     while (true) {
-      String message = heard.take();
+      String message = heard.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS);
+      assertNotNull(message, () -> "in vain; it has heard:\n" + String.join("\n", others));
       if (wanted.test(message)) {
         return message;
       }
-      assertFalse(message.equals("closed"), "closed before it came");
+      others.add(message);
+      assertFalse(message.equals("closed"), () -> "closed after:\n" + String.join("\n", others));
     }
   }
 

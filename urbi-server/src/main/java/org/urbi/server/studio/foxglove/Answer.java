@@ -6,6 +6,7 @@ import io.netty.buffer.Unpooled;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -24,6 +25,7 @@ final class Answer {
 
   private static final byte MESSAGE = 1;
   private static final byte TIME = 2;
+  private static final byte CALL_RESPONSE = 3;
 
   private Answer() {}
 
@@ -45,7 +47,7 @@ final class Answer {
     out.writeEndArray();
   }
 
-  /** The first thing that a program is told. An observer has nothing to publish. */
+  /** The first thing that a program is told. An observer has nothing to publish, and to call. */
   static TextWebSocketFrame serverInfo(Role role) {
     return text(
         "serverInfo",
@@ -56,7 +58,8 @@ final class Answer {
               "capabilities",
               role == Role.OBSERVER
                   ? List.of("parameters", "parametersSubscribe", "time")
-                  : List.of("clientPublish", "parameters", "parametersSubscribe", "time"));
+                  : List.of(
+                      "clientPublish", "parameters", "parametersSubscribe", "services", "time"));
           write(out, "supportedEncodings", List.of("json"));
           out.writeObjectFieldStart("metadata");
           out.writeStringField("role", role.text());
@@ -105,6 +108,63 @@ final class Answer {
             out.writeNumber(each);
           }
           out.writeEndArray();
+        });
+  }
+
+  /** There is the service by which functions are called. */
+  static TextWebSocketFrame advertiseCalls() {
+    return text(
+        "advertiseServices",
+        out -> {
+          out.writeArrayFieldStart("services");
+          out.writeStartObject();
+          out.writeNumberField("id", CallService.ID);
+          out.writeStringField("name", CallService.NAME);
+          out.writeStringField("type", CallService.TYPE);
+          writeSchema(out, "request", CallService.TYPE + "Request", CallService.REQUEST);
+          writeSchema(out, "response", CallService.TYPE + "Response", CallService.RESPONSE);
+          out.writeEndObject();
+          out.writeEndArray();
+        });
+  }
+
+  private static void writeSchema(JsonGenerator out, String name, String title, String schema)
+      throws IOException {
+    // Older clients know the text alone.
+    out.writeStringField(name + "Schema", schema);
+    out.writeObjectFieldStart(name);
+    out.writeStringField("encoding", "json");
+    out.writeStringField("schemaName", title);
+    out.writeStringField("schemaEncoding", "jsonschema");
+    out.writeStringField("schema", schema);
+    out.writeEndObject();
+  }
+
+  /** What a function has returned. */
+  static BinaryWebSocketFrame called(long call, @Nullable Object value) {
+    byte[] encoding = "json".getBytes(StandardCharsets.US_ASCII);
+    byte[] content =
+        Json.object(out -> {
+          out.writeFieldName("value");
+          Json.write(out, value);
+        });
+    ByteBuf head = Unpooled.buffer(1 + 3 * Integer.BYTES + encoding.length);
+    head.writeByte(CALL_RESPONSE);
+    head.writeIntLE(CallService.ID);
+    head.writeIntLE((int) call);
+    head.writeIntLE(encoding.length);
+    head.writeBytes(encoding);
+    return new BinaryWebSocketFrame(Unpooled.wrappedBuffer(head, Unpooled.wrappedBuffer(content)));
+  }
+
+  /** Why a call came to nothing. */
+  static TextWebSocketFrame callFailure(long service, long call, String message) {
+    return text(
+        "serviceCallFailure",
+        out -> {
+          out.writeNumberField("serviceId", service);
+          out.writeNumberField("callId", call);
+          out.writeStringField("message", message);
         });
   }
 

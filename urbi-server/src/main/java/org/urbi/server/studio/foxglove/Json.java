@@ -50,6 +50,16 @@ final class Json {
     return bytes.toByteArray();
   }
 
+  /** A map of values as an object, in UTF-8. */
+  static byte[] object(Map<?, ?> values) {
+    return object(out -> {
+      for (Map.Entry<?, ?> each : values.entrySet()) {
+        out.writeFieldName(String.valueOf(each.getKey()));
+        write(out, each.getValue());
+      }
+    });
+  }
+
   /** Writes a value. What JSON has no number for (infinity, nan) becomes null. */
   static void write(JsonGenerator out, @Nullable Object value) throws IOException {
     switch (value) {

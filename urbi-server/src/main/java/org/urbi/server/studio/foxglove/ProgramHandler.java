@@ -49,6 +49,7 @@ public final class ProgramHandler extends StreamHandler {
 
   private static final int MOST_PUBLICATIONS = 1000;
   private static final byte PUBLISHED = 1;
+  private static final byte CALLED = 2;
 
   private final Function<Client, Connection> lobbies;
   private final List<String> watched;
@@ -86,15 +87,35 @@ public final class ProgramHandler extends StreamHandler {
             bytes ->
                 channel.writeAndFlush(Answer.status(Answer.Level.INFO, Utf8Text.toJava(bytes))));
     Connection connection = lobbies.apply(client);
-    Subscriptions subscriptions = new Subscriptions(connection::follow);
+    Runnable values = () -> tell(channel);
+    JobsFeed jobs =
+        new JobsFeed(
+            channel.eventLoop(),
+            connection,
+            (time, all) -> {
+              if (outbox.put(new Outbox.Value(JobsFeed.CHANNEL, time, all))) {
+                client.execute(values);
+              }
+            });
+    Subscriptions subscriptions =
+        new Subscriptions((variable, on) -> {
+          if (variable == JobsFeed.CHANNEL) {
+            jobs.follow(on);
+          } else {
+            connection.follow(variable, on);
+          }
+        });
     program = new Program(connection, subscriptions);
     send(channel, Answer.serverInfo(role));
-    subscriptions.appeared(Feed.LOG_CHANNEL, Topic.LOG);
-    send(channel, Answer.advertise(Map.of(Feed.LOG_CHANNEL, Topic.LOG)));
-    connection.feed(
-        new Feed(client, outbox, subscriptions, frame -> send(channel, frame), () -> tell(channel)),
-        false,
-        watched);
+    Map<Integer, Topic> ofKernel =
+        Map.of(Feed.LOG_CHANNEL, Topic.LOG, JobsFeed.CHANNEL, Topic.JOBS);
+    ofKernel.forEach(subscriptions::appeared);
+    send(channel, Answer.advertise(ofKernel));
+    if (role != Role.OBSERVER) {
+      send(channel, Answer.advertiseCalls());
+    }
+    Feed feed = new Feed(client, outbox, subscriptions, frame -> send(channel, frame), values);
+    connection.feed(feed, false, watched);
   }
 
   @Override
@@ -178,7 +199,7 @@ public final class ProgramHandler extends StreamHandler {
       if (frame instanceof TextWebSocketFrame) {
         obey(channel, Request.read(ByteBufUtil.getBytes(frame.content())));
       } else if (frame instanceof BinaryWebSocketFrame) {
-        publish(channel, frame.content());
+        take(channel, frame.content());
       }
     } catch (BadMessage e) {
       send(channel, Answer.status(Answer.Level.ERROR, String.valueOf(e.getMessage())));
@@ -280,11 +301,41 @@ public final class ProgramHandler extends StreamHandler {
     }
   }
 
+  private void take(Channel channel, ByteBuf frame) throws BadMessage {
+    byte what = frame.isReadable() ? frame.readByte() : 0;
+    if (what == CALLED) {
+      call(channel, frame);
+    } else if (what == PUBLISHED && frame.readableBytes() >= Integer.BYTES) {
+      publish(channel, frame);
+    } else {
+      throw new BadMessage("a message to a channel of yours expected, or a call of a service");
+    }
+  }
+
+  private void call(Channel channel, ByteBuf frame) throws BadMessage {
+    try {
+      CallService.Call call = CallService.read(frame);
+      program()
+          .connection()
+          .call(call.path(), call.arguments())
+          .whenCompleteAsync(
+              (end, failure) -> {
+                if (end != null) {
+                  send(
+                      channel,
+                      end.error().isEmpty()
+                          ? Answer.called(call.id(), end.value())
+                          : Answer.callFailure(CallService.ID, call.id(), end.error()));
+                }
+              },
+              channel.eventLoop());
+    } catch (CallService.Failed e) {
+      send(channel, Answer.callFailure(e.service(), e.call(), String.valueOf(e.getMessage())));
+    }
+  }
+
   /** A message is a value for the slot that its topic names: {@code {"value": 1}}, or whole. */
   private void publish(Channel channel, ByteBuf frame) throws BadMessage {
-    if (frame.readableBytes() < 1 + Integer.BYTES || frame.readByte() != PUBLISHED) {
-      throw new BadMessage("a message to a channel of yours expected");
-    }
     long id = frame.readUnsignedIntLE();
     Request.Publication publication = publications.get(id);
     if (publication == null) {

@@ -4,6 +4,9 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.Bytes;
 import org.urbi.kernel.observe.VariableKind;
@@ -15,8 +18,8 @@ import urbi.media.MediaException;
 import urbi.media.Picture;
 
 /**
- * A sequence of messages of one kind: those of a variable, or of the log. They are JSON objects,
- * with a JSON schema.
+ * A sequence of messages of one kind: those of a variable, of the log, or of the jobs. They are
+ * JSON objects, with a JSON schema.
  *
  * @param path the name of the variable
  * @param kind of its values
@@ -49,13 +52,37 @@ public record Topic(String path, VariableKind kind) {
   /** What the kernel logs; no variable has that path. */
   public static final Topic LOG = new Topic("/log", VariableKind.TEXT);
 
+  private static final String TEXT = "{\"type\":\"string\"}";
+
+  private static final String JOBS_SCHEMA =
+      "{\"title\":\"urbi.Jobs\",\"type\":\"object\",\"properties\":{"
+          + "\"total\":{\"type\":\"integer\"},"
+          + "\"jobs\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"properties\":{"
+          + "\"number\":{\"type\":\"integer\"},\"starter\":{\"type\":\"integer\"},"
+          + "\"share\":{\"type\":\"number\"},\"frozen\":{\"type\":\"boolean\"},"
+          + "\"tags\":{\"type\":\"array\",\"items\":"
+          + TEXT
+          + "},"
+          + Stream.of("name", "lobby", "waits", "place", "code")
+              .map(each -> '"' + each + "\":" + TEXT)
+              .collect(Collectors.joining(","))
+          + "}}}}}";
+
+  /** The jobs that there are; no variable has that path. */
+  public static final Topic JOBS = new Topic("/jobs", VariableKind.DICTIONARY);
+
   private static final int INFO = 2;
   private static final int WARNING = 3;
   private static final int ERROR = 4;
 
   /** Its name, as those who look at it write it: {@code /robot/body/x}. */
   public String name() {
-    return isLog() ? path : "/" + path.replace('.', '/');
+    return isOfKernel() ? path : "/" + path.replace('.', '/');
+  }
+
+  /** Whether it is no variable. */
+  private boolean isOfKernel() {
+    return path.startsWith("/");
   }
 
   private boolean isLog() {
@@ -71,7 +98,7 @@ public record Topic(String path, VariableKind kind) {
   public boolean isParameter() {
     return switch (kind) {
       case IMAGE, BINARY, ANY -> false;
-      default -> !isLog();
+      default -> !isOfKernel();
     };
   }
 
@@ -79,6 +106,9 @@ public record Topic(String path, VariableKind kind) {
   public String schemaName() {
     if (isLog()) {
       return "foxglove.Log";
+    }
+    if (equals(JOBS)) {
+      return "urbi.Jobs";
     }
     return kind == VariableKind.IMAGE
         ? "foxglove.CompressedImage"
@@ -89,6 +119,9 @@ public record Topic(String path, VariableKind kind) {
   public String schema() {
     if (isLog()) {
       return LOG_SCHEMA;
+    }
+    if (equals(JOBS)) {
+      return JOBS_SCHEMA;
     }
     if (kind == VariableKind.IMAGE) {
       return IMAGE;
@@ -127,6 +160,9 @@ public record Topic(String path, VariableKind kind) {
     }
     if (kind == VariableKind.IMAGE && value instanceof Bytes image) {
       return Json.object(out -> writeImage(out, time, image));
+    }
+    if (equals(JOBS) && value instanceof Map<?, ?> jobs) {
+      return Json.object(jobs);
     }
     return Json.object(out -> {
       out.writeFieldName("value");
