@@ -18,7 +18,6 @@ import io.netty.handler.codec.http.HttpUtil;
 import io.netty.handler.codec.http.HttpVersion;
 import io.netty.handler.codec.http.QueryStringDecoder;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
@@ -52,6 +51,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private static final Pattern ANNEX = Pattern.compile("/annex/(\\w+)(/.*)");
 
   private final Page page;
+  private final PageShelf shelf;
   private final boolean local;
   private final String scheme;
   private final Supplier<ChannelHandler> viewer;
@@ -60,6 +60,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private final BooleanSupplier crowded;
 
   /**
+   * @param shelf has the files
    * @param local whether it is for this machine only
    * @param tls whether it is served by TLS
    * @param viewer makes what handles the stream of a browser
@@ -69,6 +70,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
    */
   PageFiles(
       Page page,
+      PageShelf shelf,
       boolean local,
       boolean tls,
       Supplier<ChannelHandler> viewer,
@@ -76,6 +78,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       @Nullable Entrance entrance,
       BooleanSupplier crowded) {
     this.page = page;
+    this.shelf = shelf;
     this.local = local;
     this.scheme = tls ? "https://" : "http://";
     this.viewer = viewer;
@@ -127,17 +130,39 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     } else if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
       answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
     } else {
-      try (InputStream content = from.home().getResourceAsStream(file)) {
-        if (content == null) {
-          answer(context, request, HttpResponseStatus.NOT_FOUND);
-        } else {
-          String type = TYPES.get(file.substring(file.lastIndexOf('.') + 1)) + "; charset=utf-8";
-          // An annex is shown in a frame of this page.
-          String frames = from == page ? "'none'" : "'self'";
-          answer(context, request, HttpResponseStatus.OK, type, frames, content.readAllBytes());
-        }
+      // Within this machine, what is sent costs less than what is packed and unpacked.
+      boolean packed =
+          !local && request.headers().containsValue(HttpHeaderNames.ACCEPT_ENCODING, "gzip", true);
+      PageShelf.Served served = shelf.find(from.home(), file, packed);
+      if (served == null) {
+        answer(context, request, HttpResponseStatus.NOT_FOUND);
+      } else {
+        // An annex is shown in a frame of this page.
+        answer(context, request, served, type(file), from == page ? "'none'" : "'self'");
       }
     }
+  }
+
+  private static String type(String file) {
+    return TYPES.get(file.substring(file.lastIndexOf('.') + 1)) + "; charset=utf-8";
+  }
+
+  /** With a file, unless the browser has it already. */
+  private static void answer(
+      ChannelHandlerContext context,
+      FullHttpRequest request,
+      PageShelf.Served served,
+      String type,
+      String frames) {
+    boolean same = served.version().equals(request.headers().get(HttpHeaderNames.IF_NONE_MATCH));
+    HttpResponseStatus status = same ? HttpResponseStatus.NOT_MODIFIED : HttpResponseStatus.OK;
+    FullHttpResponse response = response(request, status, type, frames, served.content());
+    response.headers().set(HttpHeaderNames.ETAG, served.version());
+    response.headers().set(HttpHeaderNames.VARY, HttpHeaderNames.ACCEPT_ENCODING);
+    if (served.packed()) {
+      response.headers().set(HttpHeaderNames.CONTENT_ENCODING, HttpHeaderValues.GZIP);
+    }
+    send(context, request, response);
   }
 
   private static boolean isGuest(Guests guests, HttpHeaders headers) {
@@ -174,21 +199,21 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private static void answer(
       ChannelHandlerContext context, FullHttpRequest request, HttpResponseStatus status) {
     byte[] text = (status + "\n").getBytes(StandardCharsets.US_ASCII);
-    answer(context, request, status, "text/plain; charset=us-ascii", "'none'", text);
+    send(
+        context,
+        request,
+        response(request, status, "text/plain; charset=us-ascii", "'none'", text));
   }
 
-  private static void answer(
-      ChannelHandlerContext context,
+  private static FullHttpResponse response(
       FullHttpRequest request,
       HttpResponseStatus status,
       String type,
       String frames,
       byte[] content) {
-    boolean head = request.method() == HttpMethod.HEAD;
-    ByteBuf body = head ? Unpooled.EMPTY_BUFFER : Unpooled.wrappedBuffer(content);
+    boolean bare = request.method() == HttpMethod.HEAD || status == HttpResponseStatus.NOT_MODIFIED;
+    ByteBuf body = bare ? Unpooled.EMPTY_BUFFER : Unpooled.wrappedBuffer(content);
     FullHttpResponse response = new DefaultFullHttpResponse(HttpVersion.HTTP_1_1, status, body);
-    boolean goesOn = HttpUtil.isKeepAlive(request) && status == HttpResponseStatus.OK;
-    HttpUtil.setKeepAlive(response, goesOn);
     response
         .headers()
         .set(HttpHeaderNames.CONTENT_TYPE, type)
@@ -201,6 +226,14 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
             "default-src 'self'; img-src 'self' data:; media-src 'self' data:; base-uri 'none'; form-action 'none';"
                 + " frame-ancestors "
                 + frames);
+    return response;
+  }
+
+  /** Whoever got something may go on. */
+  private static void send(
+      ChannelHandlerContext context, FullHttpRequest request, FullHttpResponse response) {
+    boolean goesOn = HttpUtil.isKeepAlive(request) && response.status().code() < 400;
+    HttpUtil.setKeepAlive(response, goesOn);
     if (goesOn) {
       context.writeAndFlush(response);
     } else {

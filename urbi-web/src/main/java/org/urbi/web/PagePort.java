@@ -50,6 +50,7 @@ public final class PagePort implements AutoCloseable {
   /** All of them in the order in which they came; for the thread that serves them. */
   private final Set<Channel> callers = new LinkedHashSet<>();
 
+  private final PageShelf shelf = new PageShelf();
   private @Nullable Channel listening;
   private String scheme = "http";
   private String host = "";
@@ -115,6 +116,7 @@ public final class PagePort implements AutoCloseable {
                         page,
                         new PageFiles(
                             page,
+                            shelf,
                             local,
                             tls != null,
                             viewer,

@@ -34,7 +34,14 @@ class SilenceTest {
         channel,
         page,
         new PageFiles(
-            page, true, false, ChannelInboundHandlerAdapter::new, null, null, () -> false));
+            page,
+            new PageShelf(),
+            true,
+            false,
+            ChannelInboundHandlerAdapter::new,
+            null,
+            null,
+            () -> false));
   }
 
   @AfterEach

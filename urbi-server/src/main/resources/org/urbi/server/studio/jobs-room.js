@@ -174,5 +174,7 @@ export class Room {
     this.side.showJob(this.selected, this.detail);
     this.side.showTags();
     this.find("empty").hidden = this.list.lines.length > 0 || !this.jobs.machine;
+    // bench/studio asks when there was something to see, in milliseconds after somebody has gone to the page.
+    if (this.list.lines.length) this.find("list").dataset.since ??= Math.round(performance.now());
   }
 }

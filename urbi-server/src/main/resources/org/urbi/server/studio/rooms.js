@@ -5,7 +5,8 @@
 //   welcome()      the server is there, for the first time or again: what was known is no longer true
 //   take(message)  what the server says, in sight or not
 export const ROOMS = [
-  { name: "jobs", title: "Jobs", styles: ["jobs.css"], load: () => import("./jobs-room.js") },
+  // What the first one needs is named in index.html, too: nobody waits for one file to name the next.
+  { name: "jobs", title: "Jobs", load: () => import("./jobs-room.js") },
   { name: "reactions", title: "Reactions", styles: ["reactions.css"], load: () => import("./reactions-room.js") },
   {
     name: "variables",

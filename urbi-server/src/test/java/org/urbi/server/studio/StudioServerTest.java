@@ -19,6 +19,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -127,6 +131,30 @@ class StudioServerTest {
     assertTrue(answer("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n").startsWith("HTTP/1.1 405"));
     assertTrue(answer("nonsense\r\n\r\n").startsWith("HTTP/1.1 400"));
     assertTrue(get("/", HOST, "X: " + "x".repeat(20_000)).startsWith("HTTP/1.1 400"));
+  }
+
+  private static Set<String> found(String pattern, String text) {
+    return Pattern.compile(pattern)
+        .matcher(text)
+        .results()
+        .map(each -> each.group(1))
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Otherwise a browser learns of each file only by the one before. */
+  @Test
+  void pageNamesAllThatItsFirstRoomNeeds() throws Exception {
+    Set<String> needed = new TreeSet<>();
+    Deque<String> open = new ArrayDeque<>(List.of("studio.js", "jobs-room.js"));
+    while (!open.isEmpty()) {
+      String module = open.remove();
+      if (needed.add(module)) {
+        open.addAll(found("import .* from \"./(.*?)\"", get("/" + module, HOST)));
+      }
+    }
+    String page = get("/", HOST);
+    assertEquals(needed, found("(?:modulepreload\" href|module\" src)=\"(.*?)\"", page));
+    assertEquals(Set.of("studio.css", "jobs.css"), found("stylesheet\" href=\"(.*?)\"", page));
   }
 
   @Test
