@@ -58,6 +58,16 @@ class NewComponentTest {
     }
   }
 
+  /** Maven reads it on any Java, and the compiler of an older one would tell of a release only. */
+  @Test
+  void anOlderJavaIsToldWhatIsMissing() throws Exception {
+    assertEquals(0, make(folder.resolve("thermo").toString()), this::error);
+    String pom = Files.readString(folder.resolve("thermo/pom.xml"));
+    int java = Runtime.version().feature();
+    assertTrue(pom.contains("<activation><jdk>(," + java + ")</jdk></activation>"), pom);
+    assertTrue(pom.contains("takes JDK " + java + " or later, but Maven runs on Java"), pom);
+  }
+
   @Test
   void urbiNewIsTheSameProgram() throws Exception {
     Path project = folder.resolve("motor");
