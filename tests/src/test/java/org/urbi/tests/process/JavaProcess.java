@@ -113,6 +113,16 @@ final class JavaProcess implements AutoCloseable {
 
   static JavaProcess start(Setting setting, String mainClass, List<String> arguments)
       throws IOException {
+    ProcessBuilder builder =
+        new ProcessBuilder(command(setting, mainClass, arguments))
+            .directory(setting.folder.toFile());
+    builder.environment().keySet().removeIf(variable -> variable.startsWith("URBI_"));
+    builder.environment().putAll(setting.environment);
+    return new JavaProcess(mainClass.substring(mainClass.lastIndexOf('.') + 1), builder);
+  }
+
+  /** The words of the command that starts a program. */
+  static List<String> command(Setting setting, String mainClass, List<String> arguments) {
     List<String> command = new ArrayList<>(setting.before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of(DISTRIBUTION_FLAGS));
@@ -124,10 +134,7 @@ final class JavaProcess implements AutoCloseable {
     }
     command.addAll(List.of("-Durbi.root=" + setting.folder, "-cp", setting.classPath, mainClass));
     command.addAll(arguments);
-    ProcessBuilder builder = new ProcessBuilder(command).directory(setting.folder.toFile());
-    builder.environment().keySet().removeIf(variable -> variable.startsWith("URBI_"));
-    builder.environment().putAll(setting.environment);
-    return new JavaProcess(mainClass.substring(mainClass.lastIndexOf('.') + 1), builder);
+    return command;
   }
 
   private Thread read(InputStream stream) {

@@ -40,6 +40,7 @@ final class LocalConsole implements AutoCloseable {
   private final Console console;
   private final PrintStream err;
   private volatile boolean outputLost;
+  private volatile boolean left;
   private @Nullable Connection connection;
 
   LocalConsole(
@@ -152,6 +153,19 @@ final class LocalConsole implements AutoCloseable {
     requireNonNull(terminal, "a conversation has one")
         .run(console, opened(), interrupts::interrupted);
     if (console.isOpen()) {
+      leave();
+    }
+  }
+
+  /**
+   * Ends the run; what was typed ahead and not begun is executed before, as far as it does not
+   * wait.
+   */
+  private void leave() {
+    left = true;
+    if (opened().pendingInput() > 0) {
+      opened().hangUp();
+    } else {
       kernel.requestShutdown(0);
     }
   }
@@ -166,7 +180,7 @@ final class LocalConsole implements AutoCloseable {
   }
 
   private void lobbyClosed() {
-    if (!settings.keepsServing()) {
+    if (left || !settings.keepsServing()) {
       kernel.requestShutdown(hasFailed() ? FAILED : 0);
     }
   }

@@ -1,5 +1,7 @@
 package org.urbi.server.console;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOError;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -13,12 +15,15 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.jline.keymap.KeyMap;
+import org.jline.reader.Binding;
 import org.jline.reader.Candidate;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
 import org.jline.reader.ParsedLine;
 import org.jline.reader.UserInterruptException;
+import org.jline.reader.Widget;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 import org.jspecify.annotations.Nullable;
@@ -32,6 +37,9 @@ import org.urbi.server.source.SourceText;
 public final class TerminalSession implements AutoCloseable {
   /** What a line begins with that continues a statement: what is open, and this. */
   private static final String CONTINUED = "%M> ";
+
+  /** What the system has made of a {@code Ctrl-D} that was typed before there was an editor. */
+  private static final String END_TYPED_AHEAD = "\0";
 
   /** How long a completion waits for a busy kernel, or a slow disk. */
   private static final int TIMEOUT_MS = 500;
@@ -90,6 +98,19 @@ public final class TerminalSession implements AutoCloseable {
       STYLES.forEach(style -> builder.variable(style, PLAIN_STYLE));
     }
     reader = builder.build();
+    KeyMap<Binding> keys =
+        requireNonNull(reader.getKeyMaps().get(LineReader.MAIN), "every editor has it");
+    keys.bind(new Suspension(terminal), KeyMap.ctrl('Z'));
+    keys.bind((Widget) this::endTypedAhead, END_TYPED_AHEAD);
+  }
+
+  /** Ends the session, unless something is typed: then the key is what it is elsewhere. */
+  private boolean endTypedAhead() {
+    if (reader.getBuffer().length() == 0) {
+      throw new EndOfFileException();
+    }
+    reader.callWidget(LineReader.SET_MARK_COMMAND);
+    return true;
   }
 
   /** Tells what the session itself has to say. */
