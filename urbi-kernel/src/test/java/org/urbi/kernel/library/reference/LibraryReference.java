@@ -11,6 +11,16 @@ import org.urbi.kernel.library.Library;
 final class LibraryReference {
   private static final String ITEM = "* ";
 
+  private static final String LOADED =
+      """
+
+
+      ## Libraries to be loaded
+
+      They are written in urbiscript, in `share/urbi`.
+
+      """;
+
   private LibraryReference() {}
 
   /** What is declared about each type, by its name. */
@@ -22,12 +32,13 @@ final class LibraryReference {
     return types;
   }
 
-  /** The pages of all types, by the names of their files. */
+  /** The pages of all types and of the libraries to be loaded, by the names of their files. */
   static Map<String, String> pages() {
     Map<String, String> pages = new LinkedHashMap<>();
     Map<String, TypeDeclaration> types = types();
     types.keySet().forEach(name -> pages.put(name + ".md", TypePage.markdown(name, types)));
     pages.put(HelpTexts.KEYWORDS + ".md", keywords());
+    ScriptPage.all().forEach(page -> pages.put(page.name(), page.markdown()));
     return pages;
   }
 
@@ -39,10 +50,14 @@ final class LibraryReference {
   /** The page with a line for each type, by topics. */
   static String index() {
     Map<String, TypeDeclaration> types = types();
-    return topics()
-        .lines()
-        .map(line -> line.startsWith(ITEM) ? item(line.substring(ITEM.length()), types) : line)
-        .collect(Collectors.joining("\n", "", "\n"));
+    String listed =
+        topics()
+            .lines()
+            .map(line -> line.startsWith(ITEM) ? item(line.substring(ITEM.length()), types) : line)
+            .collect(Collectors.joining("\n"));
+    return ScriptPage.all().stream()
+        .map(ScriptPage::item)
+        .collect(Collectors.joining("\n", listed + LOADED, "\n"));
   }
 
   private static String item(String name, Map<String, TypeDeclaration> types) {

@@ -144,6 +144,15 @@ class LibraryReferenceTest {
         });
   }
 
+  /** Three slashes have it in the reference, two say that it is for the library alone. */
+  @Test
+  void whatLibrariesInUrbiscriptDefineIsSaidToBeForSomebody() {
+    for (ScriptPage page : ScriptPage.all()) {
+      assertEquals(List.of(), page.silent(), "a comment /// or // is missing above");
+      assertTrue(page.markdown().contains("\n## "), page::markdown);
+    }
+  }
+
   @Test
   void everyKeywordIsExplainedWithAnExample() {
     assertEquals(
