@@ -1,14 +1,14 @@
 package org.urbi.tests;
 
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
@@ -47,9 +47,6 @@ public final class KernelSession implements AutoCloseable {
 
   /** A statement whose result tells that the kernel thread is ours for the time of a callback. */
   private static final String STARTER = "0;";
-
-  /** How long a program may take on a busy machine. */
-  private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   private static final Executor DAEMONS = task -> Thread.ofPlatform().daemon().start(task);
 
@@ -183,9 +180,8 @@ public final class KernelSession implements AutoCloseable {
     try {
       CompletableFuture.anyOf(
               console.closed, CompletableFuture.supplyAsync(this::awaitShutdown, DAEMONS))
-          .orTimeout(PATIENCE.toSeconds(), TimeUnit.SECONDS)
-          .join();
-    } catch (CompletionException e) {
+          .get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
+    } catch (ExecutionException | InterruptedException | TimeoutException e) {
       throw new AssertionError("the program has not ended; so far:\n" + console.output(), e);
     }
   }

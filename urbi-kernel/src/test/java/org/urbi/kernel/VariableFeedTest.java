@@ -1,6 +1,7 @@
 package org.urbi.kernel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.jspecify.annotations.Nullable;
@@ -221,7 +223,8 @@ class VariableFeedTest {
     // The job is stopped with the lobby, and nobody waits for ever.
     var given = owner.connection.give("ball.x", 2.0);
     owner.connection.close();
-    assertThrows(CancellationException.class, given::join);
+    var closed = assertThrows(CompletionException.class, given::join);
+    assertInstanceOf(CancellationException.class, closed.getCause());
     program.say("const var Global.c = 1|;");
     Looker other = new Looker(kernel, Role.OWNER, false);
     assertTrue(other.connection.give("c", 2.0).join().contains("cannot modify const slot"));

@@ -3,11 +3,13 @@ package org.urbi.ros;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /** What tests wait for: so long that no busy machine is blamed, but not for ever. */
 public final class Awaited {
-  private static final int SECONDS = 60;
+  /** Less than the limit of a test, so that it can say what it has waited for. */
+  private static final int SECONDS = Integer.getInteger("test.limit", 600) / 2;
 
   private Awaited() {}
 
@@ -27,7 +29,16 @@ public final class Awaited {
 
   /** What is promised; throws what {@link CompletableFuture#join} throws. */
   public static <T> T value(CompletableFuture<T> promise) {
-    return promise.copy().orTimeout(SECONDS, TimeUnit.SECONDS).join();
+    CountDownLatch done = new CountDownLatch(1);
+    promise.whenComplete((value, failure) -> done.countDown());
+    try {
+      if (!done.await(SECONDS, TimeUnit.SECONDS)) {
+        throw new AssertionError("nothing within " + SECONDS + " s");
+      }
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+    return promise.join();
   }
 
   /** Waits until that holds: of programs that tell nobody when it does. */

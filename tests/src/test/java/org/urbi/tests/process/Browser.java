@@ -23,6 +23,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.urbi.tests.TestTimeout;
 
 /**
  * A Chromium without a window, in an empty profile of its own, that is told what to do by
@@ -31,7 +32,7 @@ import java.util.stream.Stream;
  */
 final class Browser {
   private static final int POLL_MILLISECONDS = 100;
-  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final Duration LIMIT = TestTimeout.LONG;
   private static final int LONGEST_TEXT = 3000;
   private static final Pattern STARTED = Pattern.compile("started successfully on port (\\d+)");
   private static final Pattern SESSION = Pattern.compile("\"sessionId\":\"([^\"]+)\"");

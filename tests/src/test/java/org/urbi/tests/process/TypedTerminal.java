@@ -14,6 +14,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Collectors;
+import org.urbi.tests.TestTimeout;
 
 /**
  * A shell at a pseudo-terminal of the system, whose keyboard and screen are the test's. {@code
@@ -28,7 +29,7 @@ final class TypedTerminal implements AutoCloseable {
   static final String SUSPEND = "\u001A";
 
   /** How long what must happen may take, in seconds. */
-  private static final long PATIENCE = 60;
+  private static final long PATIENCE = TestTimeout.LONG.toSeconds();
 
   /** After how many seconds a key is pressed once more. */
   private static final long SLOW = 3;
