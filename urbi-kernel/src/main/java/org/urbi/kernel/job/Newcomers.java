@@ -53,7 +53,7 @@ final class Newcomers {
 
   /** A tick begins: the jobs that are to run first go to the front of the queue. */
   void joinAhead() {
-    for (Job job = ahead.pollLast(); job != null; job = ahead.pollLast()) {
+    for (Job job = ahead.poll(); job != null; job = ahead.poll()) {
       queue.addFirst(job);
     }
   }
