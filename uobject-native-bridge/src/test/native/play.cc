@@ -1,4 +1,4 @@
-// Plays a dialogue with the library of a module: play MODULE.so DIALOGUE. Run under Valgrind and with
+// Plays dialogues, each with the library of its module: play MODULE.so DIALOGUE… Run under Valgrind and with
 // AddressSanitizer, which can look at C++ code by itself, and not at a Java virtual machine.
 #include <cstdio>
 #include <fstream>
@@ -79,15 +79,14 @@ static std::string play(MemoryHost& host, const std::string& verb, const std::st
   }
 }
 
-int main(int argc, char* argv[])
+/// Whether all is answered as it should.
+static bool play(const char* module, const char* file)
 {
-  if (argc != 3)
-    return 2;
   int failures = 0;
   int lines = 0;
   {
-    std::ifstream dialogue(argv[2]);
-    MemoryHost host(entries(argv[1]));
+    std::ifstream dialogue(file);
+    MemoryHost host(entries(module));
     for (const std::string& each : host.classes)
       host.make(each, each);
     std::string line;
@@ -106,12 +105,22 @@ int main(int argc, char* argv[])
       if (answer != expected)
       {
         ++failures;
-        std::printf("%s: answered %s\n", line.c_str(), answer.c_str());
+        std::printf("%s: %s: answered %s\n", file, line.c_str(), answer.c_str());
       }
     }
   }
   dlclose(library);
   if (!lines)
-    std::printf("%s: no dialogue\n", argv[2]);
-  return failures || !lines;
+    std::printf("%s: no dialogue\n", file);
+  return lines && !failures;
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc < 3 || argc % 2 == 0)
+    return 2;
+  bool well = true;
+  for (int i = 1; i < argc; i += 2)
+    well = play(argv[i], argv[i + 1]) && well;
+  return !well;
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** Events that call C++ code, and groups of its objects. */
@@ -36,9 +37,15 @@ class EventsTest {
       UStart(Listener);
       """;
 
+  private static Path library;
+
+  @BeforeAll
+  static void compile() {
+    library = CxxCompiler.libraryOf("listener", LISTENER);
+  }
+
   private static List<String> answers(String program) {
-    Path file = CxxCompiler.libraryOf("listener", LISTENER);
-    return Dialogue.run("sleep(1ms)|;" + program, file)
+    return Dialogue.run("sleep(1ms)|;" + program, library)
         .lines()
         .map(line -> line.replaceFirst("^\\[\\d+] ", ""))
         .toList();
