@@ -22,7 +22,9 @@ import org.urbi.kernel.job.Job;
 
 /** Opens connections, and listens for them. */
 public final class Network {
-  private static final int MAXIMUM_PORT = 65_535;
+  /** The largest number of a port. */
+  public static final int MAXIMUM_PORT = 65_535;
+
   private static final Path SERVICES = Path.of("/etc/services");
 
   /** As many as most systems allow; Java's own limit is 50, and further clients wait a second. */

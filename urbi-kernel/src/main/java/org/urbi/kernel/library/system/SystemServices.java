@@ -15,13 +15,12 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
+import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
 
 /** What the program around the kernel does when code asks for it; the job waits, others run. */
 @UrbiTypePart(value = "System", needs = Permission.OWNER)
 final class SystemServices {
-  private static final int MAX_PORT = 65_535;
-
   private final HostServices services;
   private final Outside outside;
 
@@ -36,7 +35,8 @@ final class SystemServices {
               + " and returns its address.")
   String openStudio(Frame frame, CallSite site, UrbiObject self, @Optional @Nullable Double port) {
     double wanted = port == null ? HostServices.USUAL_PORT : port;
-    if (port != null && (wanted != Math.rint(wanted) || wanted < 0 || wanted > MAX_PORT)) {
+    if (port != null
+        && (wanted != Math.rint(wanted) || wanted < 0 || wanted > Network.MAXIMUM_PORT)) {
       UrbiObject given = frame.interpreter().values().number(wanted);
       throw frame.error(
           site,
