@@ -192,10 +192,11 @@ public final class ChildProcess {
     waiters.await(job, () -> status != null);
   }
 
-  /** Kills the program. */
+  /** Kills the program; what it has written remains to be read. */
   public void kill() {
     if (process != null) {
-      process.destroyForcibly();
+      // That of the process itself closes its streams, with what nobody has read yet.
+      process.toHandle().destroyForcibly();
     }
   }
 

@@ -219,6 +219,26 @@ class ChildProcessTest {
   }
 
   @Test
+  @EnabledOnOs(OS.LINUX)
+  void whatKilledProgramHasWrittenIsRead() throws Exception {
+    int aheadAndInThePipe = (1 << 24) + 30_000;
+    inKernel((outside, job) -> {
+      String command =
+          "head -c " + aheadAndInThePipe + " /dev/zero; echo written >&2; exec sleep 600";
+      ChildProcess child = shell(outside, job, command);
+      assertEquals('w', child.err().read(job));
+      child.kill();
+      int count = 0;
+      while (child.out().read(job) >= 0) {
+        count++;
+      }
+      assertEquals(aheadAndInThePipe, count);
+      child.join(job);
+      assertEquals(9, child.signal());
+    });
+  }
+
+  @Test
   void errorOfWhoReadsIsToldToTheJobThatReads() throws Exception {
     inKernel((outside, job) -> {
       InputStream broken =

@@ -170,7 +170,8 @@ final class IsolatedProcess implements ModuleProcess {
       killed = why;
     }
     if (process != null) {
-      process.destroyForcibly();
+      // That of the process itself closes its streams, with what nobody has read yet.
+      process.toHandle().destroyForcibly();
     }
   }
 
