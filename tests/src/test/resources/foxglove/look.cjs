@@ -6,8 +6,12 @@ const WebSocket = require("ws");
 const [address, subprotocol] = process.argv.slice(2);
 const client = new FoxgloveClient({ ws: new WebSocket(address, [subprotocol]) });
 const topics = new Map();
-const missing = new Set(["ball", "picture", "jobs", "call", "failure"]);
+const missing = new Set(["asked", "ball", "picture", "jobs", "call", "failure"]);
 const text = (bytes) => new TextDecoder().decode(bytes);
+/** The last thing that was missing may be of any kind. */
+const seen = (what) => {
+  if (missing.delete(what) && missing.size === 0) client.close();
+};
 
 client.on("error", (error) => console.log("error", String(error)));
 client.on("close", () => {
@@ -21,6 +25,7 @@ client.on("status", (status) => console.log("status", status.level, status.messa
 client.on("time", (time) => topics.set("time", time.timestamp));
 client.on("parameterValues", (values) => {
   for (const { name, value } of values.parameters) console.log("parameter", values.id, name, JSON.stringify(value));
+  seen(values.id);
 });
 client.on("advertise", (channels) => {
   for (const channel of channels) {
@@ -45,23 +50,23 @@ client.on("advertiseServices", ([{ id, name, type, request, response }]) => {
 });
 client.on("serviceCallResponse", ({ callId, encoding, data }) => {
   console.log("response", callId, encoding, text(data));
-  missing.delete("call");
+  seen("call");
 });
 client.on("serviceCallFailure", ({ callId, message }) => {
   console.log("failure", callId, message);
-  missing.delete("failure");
+  seen("failure");
 });
 client.on("message", ({ subscriptionId, timestamp, data }) => {
   const message = JSON.parse(text(data));
   const topic = topics.get(subscriptionId);
   const age = Math.abs(Date.now() - Number(timestamp / 1000000n)) < 60000 ? "now" : "once";
   if (message.jobs) {
-    if (missing.delete("jobs")) console.log("jobs", message.jobs.some((job) => job.tags.includes("counting")));
+    if (missing.has("jobs")) console.log("jobs", message.jobs.some((job) => job.tags.includes("counting")));
+    seen("jobs");
     return;
   }
   if (message.data !== undefined) message.data = Buffer.from(message.data, "base64").subarray(0, 3).toString("hex");
   console.log("message", topic, age, message.value ?? message.message ?? message.data);
-  if (topic === "/ball/x" && message.value === 5) missing.delete("ball");
-  if (topic === "/ball/picture") missing.delete("picture");
-  if (missing.size === 0) client.close();
+  if (topic === "/ball/x" && message.value === 5) seen("ball");
+  if (topic === "/ball/picture") seen("picture");
 });
