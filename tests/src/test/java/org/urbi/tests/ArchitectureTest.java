@@ -16,6 +16,7 @@ import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.junit.CacheMode;
 import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
@@ -40,7 +41,9 @@ import urbi.UValue;
  */
 @AnalyzeClasses(
     packages = {"org.urbi", "urbi"},
-    importOptions = DoNotIncludeTests.class)
+    importOptions = DoNotIncludeTests.class,
+    // Every collection of garbage would look at 170 MB of them, and some suites collect a lot.
+    cacheMode = CacheMode.PER_CLASS)
 class ArchitectureTest {
   private static final DescribedPredicate<JavaClass> OURS =
       resideInAnyPackage("org.urbi..", "urbi..");
