@@ -53,8 +53,14 @@ final class Browser {
           "--window-size=1200,1000");
 
   private static final List<String> FLAT = List.of("--disable-gpu", "--disable-3d-apis");
+
+  /** WebGL is computed in any case: all else is drawn as in the other one, which costs less. */
   private static final List<String> SPATIAL =
-      List.of("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+      List.of(
+          "--use-angle=swiftshader",
+          "--enable-unsafe-swiftshader",
+          "--disable-gpu-rasterization",
+          "--disable-accelerated-2d-canvas");
 
   private static final Map<List<String>, Browser> SHARED = new HashMap<>();
 
