@@ -20,6 +20,15 @@ public final class MemoryWatchdog {
   /** For how long somebody waits for it at most, in nanoseconds. */
   private static final long PATIENCE = 2_000_000_000;
 
+  /** How many bytes nobody fills between two looks. */
+  private static final long FAR = 2L << 30;
+
+  /**
+   * After so many looks it is prepared in any case: that takes 10 ms of the processor, of which
+   * programs that end before then are spared.
+   */
+  private static final int LOOKS_UNPREPARED = 12;
+
   private static final long MILLISECOND = 1_000_000;
 
   private static final MemoryWatchdog OF_PROCESS = new MemoryWatchdog();
@@ -115,10 +124,12 @@ public final class MemoryWatchdog {
 
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
     boolean prepared = false;
+    int looks = 0;
     for (MemoryUser[] known = next(rescue); known.length > 0; known = next(rescue)) {
       long wanted = wanted();
+      looks++;
       try {
-        if (!prepared) {
+        if (!prepared && (looks > LOOKS_UNPREPARED || wanted > seen || HeapUsage.free() < FAR)) {
           prepared = true;
           heap.prepare();
           worked.prepare();
