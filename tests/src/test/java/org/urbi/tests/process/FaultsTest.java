@@ -220,6 +220,7 @@ class FaultsTest {
           public Stuck(String name) {
             super(name);
             UBindFunction(this, "spin");
+            UBindFunction(this, "park");
           }
 
           public int spin() {
@@ -227,22 +228,28 @@ class FaultsTest {
               Thread.onSpinWait();
             }
           }
+
+          public int park() {
+            while (true) {
+              java.util.concurrent.locks.LockSupport.park();
+            }
+          }
         }
         """);
     Path jar = folder.resolve("stuck.jar");
     String[] words = {"-q", sources.toString(), "-o", jar.toString()};
     assertEquals(0, UmakeJava.run(words, System.out, System.err));
-    String program = "loadModule(\"" + jar + "\");\nStuck.spin;\n";
+    String load = "loadModule(\"" + jar + "\");\n";
     try (ServerProcess server = ServerProcess.in(folder, "--watchdog", "2s", "--max-hold", "1s");
         ConsoleClient client = server.connect()) {
-      client.send(program);
+      client.send(load + "Stuck.spin;\n");
       assertEquals(STUCK, server.awaitEnd());
       assertTrue(server.text().contains("in Stuck.spin"), server.text());
       assertTrue(server.text().contains("Stuck.spin(Stuck.java:"), server.text());
     }
     try (ServerProcess server = ServerProcess.in(folder, "--watchdog", "16s");
         ConsoleClient client = server.connect()) {
-      client.send(program);
+      client.send(load + "Stuck.park;\n");
       server.awaitText("the kernel is held for");
       server.terminate();
       assertEquals(TERMINATED, server.awaitEnd());

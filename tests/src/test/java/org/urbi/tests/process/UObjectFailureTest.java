@@ -72,7 +72,7 @@ class UObjectFailureTest {
 
         public void forever() {
           while (go.doubleValue() != -1) {
-            Thread.onSpinWait();
+            java.util.concurrent.locks.LockSupport.parkNanos(1_000_000);
           }
         }
 
