@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -27,12 +26,10 @@ final class TypedTerminal implements AutoCloseable {
   static final String END = "\u0004";
   static final String TAB = "\t";
   static final String SUSPEND = "\u001A";
+  static final String BACKSPACE = "\u007F";
 
   /** How long what must happen may take, in seconds. */
   private static final long PATIENCE = TestTimeout.LONG.toSeconds();
-
-  /** After how many seconds a key is pressed once more. */
-  private static final long SLOW = 3;
 
   private final Process process;
   private final StringBuilder screen = new StringBuilder();
@@ -107,44 +104,21 @@ final class TypedTerminal implements AutoCloseable {
 
   /** Waits until a text appears, behind what was waited for before; returns what came with it. */
   String await(String text) throws InterruptedException {
-    return await(text, PATIENCE).orElseThrow(() -> missing(text));
-  }
-
-  /**
-   * Presses a key until a text appears: a kernel that is busy for long leaves it without effect.
-   */
-  void press(String key, String text) throws InterruptedException {
-    for (int i = 0; i < PATIENCE / SLOW; i++) {
-      type(key);
-      if (await(text, SLOW).isPresent()) {
-        return;
-      }
-    }
-    throw missing(text);
-  }
-
-  private AssertionError missing(String text) {
-    synchronized (screen) {
-      return new AssertionError(
-          "no `" + text + "' in what follows " + seen + " characters of:\n" + screen);
-    }
-  }
-
-  private Optional<String> await(String text, long seconds) throws InterruptedException {
-    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
     synchronized (screen) {
       int found = screen.indexOf(text, seen);
       while (found < 0) {
         long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime());
         if (over || left <= 0) {
-          return Optional.empty();
+          throw new AssertionError(
+              "no `" + text + "' in what follows " + seen + " characters of:\n" + screen);
         }
         screen.wait(left);
         found = screen.indexOf(text, seen);
       }
       String shown = screen.substring(seen, found + text.length());
       seen = found + text.length();
-      return Optional.of(shown);
+      return shown;
     }
   }
 

@@ -11,17 +11,11 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import org.jline.keymap.KeyMap;
 import org.jline.reader.Binding;
-import org.jline.reader.Candidate;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
-import org.jline.reader.ParsedLine;
 import org.jline.reader.UserInterruptException;
 import org.jline.reader.Widget;
 import org.jline.terminal.Terminal;
@@ -40,9 +34,6 @@ public final class TerminalSession implements AutoCloseable {
 
   /** What the system has made of a {@code Ctrl-D} that was typed before there was an editor. */
   private static final String END_TYPED_AHEAD = "\0";
-
-  /** How long a completion waits for a busy kernel, or a slow disk. */
-  private static final int TIMEOUT_MS = 500;
 
   /** What JLine shows in colours of its own. */
   private static final List<String> STYLES =
@@ -83,6 +74,7 @@ public final class TerminalSession implements AutoCloseable {
   TerminalSession(Terminal terminal, Path history, boolean colours, List<Path> searchPath) {
     this.terminal = terminal;
     files = new FileNames(searchPath);
+    Completions completions = new Completions(this::names);
     LineReaderBuilder builder =
         LineReaderBuilder.builder()
             .appName("urbi")
@@ -93,11 +85,12 @@ public final class TerminalSession implements AutoCloseable {
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
             .parser(new StatementParser(() -> within))
             .history(new StatementHistory(history, this::tell))
-            .completer((from, line, candidates) -> complete(line, candidates));
+            .completer(completions);
     if (!colours) {
       STYLES.forEach(style -> builder.variable(style, PLAIN_STYLE));
     }
     reader = builder.build();
+    completions.attach(reader);
     KeyMap<Binding> keys =
         requireNonNull(reader.getKeyMaps().get(LineReader.MAIN), "every editor has it");
     keys.bind(new Suspension(terminal), KeyMap.ctrl('Z'));
@@ -175,32 +168,15 @@ public final class TerminalSession implements AutoCloseable {
     }
   }
 
-  /** Adds what the word before the cursor may become. */
-  private void complete(ParsedLine line, List<Candidate> candidates) {
+  /** What the word at the end of a text may become: a name in a string is that of a file. */
+  private CompletableFuture<? extends Collection<String>> names(String text) {
     Connection asked = connection;
     if (asked == null) {
-      return;
+      return CompletableFuture.completedFuture(List.of());
     }
-    String before = line.line().substring(0, line.cursor());
-    Future<? extends Collection<String>> names =
-        FileNames.typed(before) == null
-            ? asked.complete(SourceText.bytes(before))
-            : CompletableFuture.supplyAsync(() -> files.of(before), Thread::startVirtualThread);
-    for (String name : soon(names)) {
-      candidates.add(new Candidate(name, name, null, null, null, null, false));
-    }
-  }
-
-  /** What is found in time; nothing when the kernel is too busy, or the disk too slow. */
-  private static Collection<String> soon(Future<? extends Collection<String>> names) {
-    try {
-      return names.get(TIMEOUT_MS, TimeUnit.MILLISECONDS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } catch (ExecutionException | TimeoutException e) {
-      // No completions.
-    }
-    return List.of();
+    return FileNames.typed(text) == null
+        ? asked.complete(SourceText.bytes(text))
+        : CompletableFuture.supplyAsync(() -> files.of(text), Thread::startVirtualThread);
   }
 
   /** Restores the terminal; a thread that still reads from it sees the end of the input. */
