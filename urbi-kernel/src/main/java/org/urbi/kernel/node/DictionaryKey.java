@@ -9,6 +9,12 @@ import org.urbi.kernel.object.UrbiString;
 
 /** Keys of dictionaries: equal when {@code ==} of urbiscript says so, found by {@code hash}. */
 public final class DictionaryKey {
+  /**
+   * Carries what is in the highest bits of a hash code to all others. Whole numbers differ in the
+   * highest bits of a double alone, of which a table of a few thousand entries uses hardly any.
+   */
+  private static final int SPREAD = 0x9E3779B9;
+
   private DictionaryKey() {}
 
   private record TextKey(String text, UrbiObject value) implements UrbiDictionary.Key {
@@ -41,7 +47,7 @@ public final class DictionaryKey {
 
     @Override
     public int hashCode() {
-      return Double.hashCode(number + 0.0);
+      return hash(number);
     }
   }
 
@@ -64,6 +70,11 @@ public final class DictionaryKey {
     public int hashCode() {
       return hash;
     }
+  }
+
+  /** The hash code of a number, the same for both zeros. */
+  static int hash(double number) {
+    return Double.hashCode(number + 0.0) * SPREAD;
   }
 
   /** Whether no code of urbiscript is called for such a key. */
