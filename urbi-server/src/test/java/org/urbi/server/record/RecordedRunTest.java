@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
@@ -32,6 +33,8 @@ import org.urbi.kernel.journal.RecordingException;
 import org.urbi.kernel.journal.RecordingReader;
 import org.urbi.kernel.journal.RecordingWriter;
 import org.urbi.kernel.message.Message;
+import org.urbi.kernel.message.Outcome;
+import org.urbi.kernel.observe.CallEnd;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -235,6 +238,39 @@ class RecordedRunTest {
                     : entry));
     assertNotNull(other.difference());
     assertTrue(other.difference().contains("43"), other.difference());
+  }
+
+  /** As Foxglove does by {@code /call}, and a program that embeds the kernel. */
+  @Test
+  void aCalledFunctionIsCalledAgain() throws Exception {
+    String shown;
+    try (Kernel kernel = Kernel.builder().virtualTime(true).record(recording).start()) {
+      Console console = connect(kernel);
+      console.connection.send(
+          "function Global.twice(n) { echo(\"twice \" + n) | sleep(1s) | 2 * n };"
+              + " echo(\"the definition is over\");\n");
+      console.over.join();
+      assertEquals(new CallEnd("", 42.0), console.connection.call("twice", List.of(21.0)).join());
+      shown = console.text();
+    }
+    assertTrue(shown.contains("*** twice 21\n"), shown);
+    Replayed replayed = replay(recording);
+    assertNull(replayed.difference());
+    assertEquals(shown, replayed.shown().get(-1));
+
+    Replayed other =
+        replay(
+            changed(entry ->
+                entry instanceof Entry.MessageTaken(Message.FunctionCalled call)
+                    ? new Entry.MessageTaken(
+                        new Message.FunctionCalled(
+                            call.to(),
+                            call.question(),
+                            call.path(),
+                            new Outcome(List.of(22.0), null)))
+                    : entry));
+    assertNotNull(other.difference());
+    assertTrue(other.difference().contains("twice 22"), other.difference());
   }
 
   // ------------------------------------------------------------------ bad days
