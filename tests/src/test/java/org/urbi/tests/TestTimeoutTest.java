@@ -17,7 +17,11 @@ import org.junit.jupiter.api.Test;
  * busy the machine is.
  */
 class TestTimeoutTest {
-  private static final Pattern LIMIT = Pattern.compile("@" + "Timeout\\b|\\.orTimeout\\(");
+  private static final Pattern LIMIT =
+      Pattern.compile(
+          "@Timeout\\b|\\.orTimeout\\("
+              + "|\\.(?:poll|get|await)\\(\\d+, TimeUnit\\.(?:SECONDS|MINUTES)\\)"
+              + "|\\bLIMIT = Duration\\.of(?:Seconds|Minutes)\\(\\d+\\)");
 
   @Test
   void noTestHasALimitOfItsOwn() throws IOException {

@@ -32,13 +32,18 @@ public final class Awaited {
     CountDownLatch done = new CountDownLatch(1);
     promise.whenComplete((value, failure) -> done.countDown());
     try {
-      if (!done.await(SECONDS, TimeUnit.SECONDS)) {
-        throw new AssertionError("nothing within " + SECONDS + " s");
-      }
+      zero(done, "nothing");
     } catch (InterruptedException e) {
       throw new AssertionError(e);
     }
     return promise.join();
+  }
+
+  /** Waits until a count is zero; {@code without} tells what there is as long as it is not. */
+  public static void zero(CountDownLatch count, String without) throws InterruptedException {
+    if (!count.await(SECONDS, TimeUnit.SECONDS)) {
+      throw new AssertionError(without + " within " + SECONDS + " s");
+    }
   }
 
   /** Waits until that holds: of programs that tell nobody when it does. */

@@ -46,7 +46,11 @@ import urbi.UImageFormat;
 
 class PageServerTest {
   private static final String LOCAL = "127.0.0.1";
-  private static final Duration LIMIT = Duration.ofSeconds(60);
+
+  /** How long what must come is waited for: less than the limit of a test, which the pom sets. */
+  private static final Duration LIMIT =
+      Duration.ofSeconds(Integer.getInteger("test.limit", 600) / 2);
+
   private static final List<String> FILES =
       List.of(
           "",

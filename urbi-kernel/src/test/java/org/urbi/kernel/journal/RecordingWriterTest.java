@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.TestTimeout;
 
 class RecordingWriterTest {
   /** Somebody hears of it, and the run goes on without being recorded. */
@@ -20,7 +21,7 @@ class RecordingWriterTest {
           }
         };
     try (RecordingWriter writer = new RecordingWriter("run", broken, trouble::complete)) {
-      String told = trouble.get(1, TimeUnit.MINUTES);
+      String told = trouble.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
       assertTrue(told.startsWith("the run is not recorded any more: run: internal error: "), told);
       writer.write(new Entry.RoundCut(1, 0));
       writer.flush();

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.TestTimeout;
 
 /** The one thread that looks after the memory of all kernels. */
 class MemoryWatchdogTest {
-  private static final int LIMIT_SECONDS = 30;
 
   /** A kernel with a defect, which is looked after all the same. */
   private static final class Defective implements MemoryUser {
@@ -54,8 +54,8 @@ class MemoryWatchdogTest {
     var kernel = new Defective();
     MemoryWatchdog.add(kernel);
     try {
-      assertTrue(kernel.prepared.await(LIMIT_SECONDS, TimeUnit.SECONDS));
-      assertTrue(kernel.looked.await(LIMIT_SECONDS, TimeUnit.SECONDS));
+      assertTrue(kernel.prepared.await(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
+      assertTrue(kernel.looked.await(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
     } finally {
       MemoryWatchdog.remove(kernel);
     }

@@ -10,9 +10,9 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
@@ -140,9 +140,9 @@ class InstallationTest {
         Node node = Ways.start("rcl", settings(domain.domain(), "node" + i), told::add);
         Subscription subscription = node.subscribe("x", string, Qos.DEFAULT, heard::add);
         Publisher own = node.advertise("y", string, Qos.DEFAULT, new Publisher.Listener() {});
-        assertTrue(connected.poll(60, TimeUnit.SECONDS) instanceof String);
+        assertTrue(Awaited.next(connected, told) instanceof String);
         publisher.publish(message);
-        assertTrue(heard.poll(60, TimeUnit.SECONDS) instanceof UDictionary);
+        assertTrue(Awaited.next(heard, told) instanceof UDictionary);
         // The last one is closed with its node only, while messages come.
         for (int j = 0; j < 100; j++) publisher.publish(message);
         if (i < 2) subscription.close();

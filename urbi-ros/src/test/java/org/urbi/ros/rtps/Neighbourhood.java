@@ -1,7 +1,5 @@
 package org.urbi.ros.rtps;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramSocket;
@@ -20,7 +18,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadLocalRandom;
-import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.Awaited;
@@ -167,7 +164,7 @@ public final class Neighbourhood implements AutoCloseable {
     final BlockingQueue<String> hindered = new LinkedBlockingQueue<>();
 
     void awaitMatched() throws InterruptedException {
-      assertTrue(matched.await(1, TimeUnit.MINUTES), "no reader");
+      Awaited.zero(matched, "no reader");
     }
 
     @Override
@@ -236,7 +233,7 @@ public final class Neighbourhood implements AutoCloseable {
     }
 
     void awaitMatched() throws InterruptedException {
-      assertTrue(matched.await(1, TimeUnit.MINUTES), "no writer");
+      Awaited.zero(matched, "no writer");
     }
 
     /** The next sample. */

@@ -205,7 +205,7 @@ class ParticipantTest {
         if (sample == null) Thread.sleep(1);
         else assertTrue(isPayload(sample.payload(), taken++, 40));
       }
-      assertTrue(sending.room.await(1, TimeUnit.MINUTES));
+      Awaited.zero(sending.room, "no room");
       assertTrue(writer.awaitAcknowledged(LONG));
       assertEquals(0, reader.overwritten());
     }
@@ -289,7 +289,7 @@ class ParticipantTest {
       domain.awaitTold("lost rt/x");
       domain.awaitTold("lost rt/y");
       domain.awaitTold("lost " + mortal.info().prefix());
-      assertTrue(sending.unmatched.await(1, TimeUnit.MINUTES));
+      Awaited.zero(sending.unmatched, "still matched");
       assertTrue(writer.awaitAcknowledged(LONG), "nobody is waited for who is gone");
       assertEquals(0, survivor.participants().size());
       link.cut(false);

@@ -15,6 +15,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import org.urbi.server.TestTimeout;
 
 /** An {@code Error} between two channels does not end the network. */
 class PersistentIoHandlerTest {
@@ -64,7 +65,8 @@ class PersistentIoHandlerTest {
                     (where, failure) -> told.add(where + ": " + failure.getMessage())));
     try {
       for (int i = 0; i < 100; i++) {
-        assertEquals("done", loop.submit(() -> "done").get(1, TimeUnit.MINUTES));
+        assertEquals(
+            "done", loop.submit(() -> "done").get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
       }
       assertEquals("the network thread: for a connection", told.getFirst());
     } finally {

@@ -26,7 +26,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -442,7 +441,7 @@ class UnixSocketTest {
       reader.interrupt();
       Thread.sleep(20);
       send(accepted, "b");
-      assertTrue(reader.join(Duration.ofSeconds(60)));
+      assertTrue(reader.join(TestTimeout.LONG));
       assertArrayEquals(new byte[] {'a', 'b'}, received);
       ByteBuffer back = ByteBuffer.allocate(2);
       accepted.read(back);

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.urbi.server.TestTimeout;
 
 /** What is made of the declarations of options: manual pages, and completion of shells. */
 class GeneratedTest {
@@ -65,7 +66,7 @@ class GeneratedTest {
                 .formatted(word, String.join(" ", words));
     Process bash = new ProcessBuilder("bash", "-c", ask).redirectErrorStream(true).start();
     String answer = new String(bash.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertTrue(bash.waitFor(60, TimeUnit.SECONDS));
+    assertTrue(bash.waitFor(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
     return answer.strip();
   }
 
