@@ -108,7 +108,9 @@ final class ErrorText {
     if (wrong != null) {
       Diagnostics.explain(output, wrong.span(), () -> SyntaxAdvice.of(wrong));
     } else if (cause != null) {
-      Diagnostics.explain(output, null, () -> Advice.of(cause));
+      if (lobby.failures().isNews(cause)) {
+        Diagnostics.explain(output, null, () -> Advice.of(cause));
+      }
     } else {
       Diagnostics.explain(output, thrown.span(), () -> ErrorAdvice.of(interpreter, lobby, thrown));
     }

@@ -1,8 +1,10 @@
 package org.urbi.kernel.lobby;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -15,7 +17,7 @@ import org.urbi.lang.source.Span;
  * of what goes wrong for want of it, rather than what to do about each consequence.
  */
 public final class EarlierFailures {
-  /** How many names are remembered. */
+  /** How many names, and how many causes that have been told, are remembered. */
   private static final int MOST = 64;
 
   /** How far before a failure its declaration is looked for: a program may be one long line. */
@@ -30,6 +32,7 @@ public final class EarlierFailures {
 
   private final Map<String, Span> undeclared = new LinkedHashMap<>();
   private final Map<String, Span> local = new LinkedHashMap<>();
+  private final Set<String> told = new HashSet<>();
   private @Nullable Span notLoaded;
 
   /** Remembers what an exception that nobody has caught prevents. */
@@ -46,9 +49,11 @@ public final class EarlierFailures {
     if (declaration.find() && undeclared.size() < MOST) {
       String name = declaration.group(declaration.group(1) == null ? 2 : 1);
       undeclared.put(name, place);
+      told.clear();
     }
     if (place.location().file() != null && LOADING.matcher(place.text()).matches()) {
       notLoaded = place;
+      told.clear();
     }
   }
 
@@ -82,6 +87,14 @@ public final class EarlierFailures {
     return notLoaded != null && place != null && isSameFile(notLoaded, place)
         ? Hint.NOT_LOADED.text(name, notLoaded.location())
         : null;
+  }
+
+  /** Whether a cause has not been told since something has failed that others may need. */
+  public boolean isNews(String cause) {
+    if (told.size() == MOST) {
+      told.clear();
+    }
+    return told.add(cause);
   }
 
   private static boolean isSameFile(Span one, Span other) {
