@@ -2,7 +2,6 @@ package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.urbi.tests.process.TypedTerminal.BACKSPACE;
 import static org.urbi.tests.process.TypedTerminal.END;
 import static org.urbi.tests.process.TypedTerminal.ENTER;
 import static org.urbi.tests.process.TypedTerminal.INTERRUPT;
@@ -101,48 +100,6 @@ class TerminalTest {
     user.enter("nobody.knows;");
     user.await("lookup failed: nobody");
     assertFalse(COLOUR.matcher(user.text()).find(), user::text);
-  }
-
-  /**
-   * Lets the kernel do nothing but wait for a file, and returns when it does. It says so past the
-   * editor, because output waits for the kernel.
-   */
-  private static void hold(String file) throws InterruptedException {
-    user.enter(
-        "{ var o = OutputStream.new(File.new(\"/dev/tty\")) | o << \"HO\" + \"LD\" | o.flush |"
-            + " while| (!Path.new(\"%s\").exists) {} | o.close };".formatted(folder.resolve(file)));
-    user.await("HOLD");
-  }
-
-  @Test
-  void completionsOfABusyKernelAreShownWhenTheyComeUnlessMoreIsTyped() throws Exception {
-    hold("first");
-    user.type("\"\".toUp" + TAB + TAB + "x");
-    user.await("toUp");
-    user.await("x");
-    user.type(BACKSPACE);
-    Files.createFile(folder.resolve("first"));
-    user.await("per");
-    user.enter("; 830;");
-    user.await("] 830");
-    hold("second");
-    user.type("\"\".to" + TAB + "U");
-    user.await(".to");
-    user.await("U");
-    user.type(BACKSPACE);
-    Files.createFile(folder.resolve("second"));
-    user.await("toLower");
-    user.await("\"\".to");
-    user.enter("Upper; 831;");
-    user.await("] 831");
-    hold("third");
-    user.type("\"\".toU" + TAB + "pp");
-    user.await("toU");
-    user.await("pp");
-    Files.createFile(folder.resolve("third"));
-    user.enter("er; 832;");
-    String session = user.await("] 832");
-    assertFalse(session.contains("lookup failed") || session.contains("error"), session);
   }
 
   private static String sums(int from) {

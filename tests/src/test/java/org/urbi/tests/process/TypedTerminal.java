@@ -26,7 +26,6 @@ final class TypedTerminal implements AutoCloseable {
   static final String END = "\u0004";
   static final String TAB = "\t";
   static final String SUSPEND = "\u001A";
-  static final String BACKSPACE = "\u007F";
 
   /** How long what must happen may take, in seconds. */
   private static final long PATIENCE = TestTimeout.LONG.toSeconds();
