@@ -32,7 +32,7 @@ class CxxClientsTest {
   /** Nothing goes wrong, with memory neither. */
   @Test
   void clientsOfTheSdkWork() throws Exception {
-    Path program = compile("g++", "-std=c++17", "-g", "-fsanitize=address");
+    Path program = compile("g++", "-std=c++17", "-g1", "-fsanitize=address");
     String token = "0123456789abcdef0123456789abcdef";
     Path tokens = Files.writeString(folder.resolve("tokens"), "owner " + token + " clients\n");
     Files.setPosixFilePermissions(tokens, PosixFilePermissions.fromString("rw-------"));
