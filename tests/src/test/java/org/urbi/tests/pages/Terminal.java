@@ -200,6 +200,8 @@ final class Terminal implements AutoCloseable {
             .directory(current.toFile())
             .redirectErrorStream(true);
     builder.environment().keySet().removeIf(variable -> variable.startsWith("URBI_"));
+    // What umake compiles for many components pays from the second one on, and a page has one.
+    builder.environment().put("URBI_UMAKE_KEPT", "");
     builder
         .environment()
         .merge(
