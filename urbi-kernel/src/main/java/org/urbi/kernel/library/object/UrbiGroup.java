@@ -3,6 +3,7 @@ package org.urbi.kernel.library.object;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.node.SlotProxy;
@@ -48,18 +49,36 @@ public final class UrbiGroup extends UrbiObject implements SlotProxy {
     return new UrbiGroup(cloneShape(), members);
   }
 
+  /** A group whose members are being assigned, inside of others. */
+  private record Assigned(UrbiGroup group, @Nullable Assigned outer) {
+    boolean has(UrbiObject member) {
+      return member == group || outer != null && outer.has(member);
+    }
+  }
+
   /** A group of as many values is handed out, any other value goes to each member. */
   @Override
   public UrbiObject updateSlot(Frame frame, Symbol slot, UrbiObject value) {
+    return updateSlot(frame, slot, value, null);
+  }
+
+  private UrbiObject updateSlot(
+      Frame frame, Symbol slot, UrbiObject value, @Nullable Assigned outer) {
+    Assigned assigned = new Assigned(this, outer);
     List<UrbiObject> values = new ArrayList<>();
     List<UrbiObject> targets = members();
     for (int i = 0; i < targets.size(); i++) {
+      // Groups of groups may have more members than anybody waits for.
+      frame.job().checkInterrupted();
       UrbiObject own = value;
       if (value instanceof UrbiGroup group && group.members().size() == targets.size()) {
         own = group.members().get(i);
       }
-      if (targets.get(i) instanceof SlotProxy proxy) {
-        values.add(proxy.updateSlot(frame, slot, own));
+      if (assigned.has(targets.get(i))) {
+        // Its members are all being assigned.
+        values.add(own);
+      } else if (targets.get(i) instanceof UrbiGroup group) {
+        values.add(group.updateSlot(frame, slot, own, assigned));
       } else {
         SlotUpdate.assign(frame, targets.get(i), slot, own);
         values.add(own);
