@@ -293,9 +293,11 @@ final class WrongCallKernel implements AutoCloseable {
                           over.completeExceptionally(e);
                         }
                       });
-          judge.onEnd(() -> over.completeExceptionally(new Defect("the judge was stopped")));
+          judge.onEnd(() ->
+              over.completeExceptionally(
+                  kernel.isStopping() ? new Ended() : new Defect("the judge was stopped")));
         });
-    kernel.onTermination(() -> over.completeExceptionally(new Defect("the kernel has ended")));
+    kernel.onTermination(() -> over.completeExceptionally(new Ended()));
     await(over);
   }
 
@@ -320,7 +322,8 @@ final class WrongCallKernel implements AutoCloseable {
         if (e.getCause() instanceof Spoilt spoilt) {
           throw spoilt;
         }
-        if (e.getCause() instanceof TagStop && kernel.isStopping()) {
+        if (e.getCause() instanceof Ended
+            || e.getCause() instanceof TagStop && kernel.isStopping()) {
           throw new Ended();
         }
         throw new Defect(

@@ -140,10 +140,7 @@ final class WrongCaller implements AutoCloseable {
         } catch (WrongCallKernel.Ended e) {
           made++;
           results.merge(WrongCallKernel.Result.ENDED, 1, Integer::sum);
-          dismissKernel();
-          if (!ENDING.contains(builtin.toString())) {
-            throw new WrongCallKernel.Defect("the kernel has ended: " + last.source());
-          }
+          ended();
         } catch (WrongCallKernel.Defect e) {
           made++;
           results.merge(WrongCallKernel.Result.SPOILT, 1, Integer::sum);
@@ -162,9 +159,18 @@ final class WrongCaller implements AutoCloseable {
         kernel().within((run, job) -> run.make(job, last));
       } catch (WrongCallKernel.Spoilt e) {
         dismissKernel();
+      } catch (WrongCallKernel.Ended e) {
+        ended();
       } catch (WrongCallKernel.Defect e) {
         dismissKernel();
         throw e;
+      }
+    }
+
+    private void ended() {
+      dismissKernel();
+      if (!ENDING.contains(builtin.toString())) {
+        throw new WrongCallKernel.Defect("the kernel has ended: " + last.source());
       }
     }
 
