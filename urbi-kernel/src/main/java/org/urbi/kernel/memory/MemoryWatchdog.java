@@ -127,9 +127,10 @@ public final class MemoryWatchdog {
     int looks = 0;
     for (MemoryUser[] known = next(rescue); known.length > 0; known = next(rescue)) {
       long wanted = wanted();
+      boolean closely = wanted > seen;
       looks++;
       try {
-        if (!prepared && (looks > LOOKS_UNPREPARED || wanted > seen || HeapUsage.free() < FAR)) {
+        if (!prepared && (looks > LOOKS_UNPREPARED || closely || HeapUsage.free() < FAR)) {
           prepared = true;
           heap.prepare();
           worked.prepare();
@@ -138,7 +139,7 @@ public final class MemoryWatchdog {
         if (takeFailure()) {
           rescue.failed(known);
         } else {
-          look(rescue, known, wanted > seen);
+          look(rescue, known, closely);
         }
       } catch (RuntimeException e) {
         report(e);

@@ -195,9 +195,16 @@ public final class ChildProcess {
   /** Kills the program; what it has written remains to be read. */
   public void kill() {
     if (process != null) {
-      // That of the process itself closes its streams, with what nobody has read yet.
-      process.toHandle().destroyForcibly();
+      kill(process);
     }
+  }
+
+  /**
+   * Kills a process and leaves its streams open: {@link Process#destroyForcibly} closes them, with
+   * what nobody has read yet.
+   */
+  public static void kill(Process process) {
+    process.toHandle().destroyForcibly();
   }
 
   /** The status with which it ended; 0 for one that was ended by a signal. */

@@ -9,7 +9,6 @@ import org.urbi.kernel.TestTimeout;
 
 /** The one thread that looks after the memory of all kernels. */
 class MemoryWatchdogTest {
-
   /** A kernel with a defect, which is looked after all the same. */
   private static final class Defective implements MemoryUser {
     private final CountDownLatch prepared = new CountDownLatch(1);

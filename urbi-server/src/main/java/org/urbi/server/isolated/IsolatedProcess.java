@@ -170,8 +170,7 @@ final class IsolatedProcess implements ModuleProcess {
       killed = why;
     }
     if (process != null) {
-      // That of the process itself closes its streams, with what nobody has read yet.
-      process.toHandle().destroyForcibly();
+      ChildProcess.kill(process);
     }
   }
 

@@ -96,7 +96,9 @@ class CompletionsTest {
     keyboard.flush();
   }
 
-  private CompletableFuture<Collection<String>> question() throws InterruptedException {
+  /** Types a text and asks what it may become; returns what is to be answered. */
+  private CompletableFuture<Collection<String>> ask(String text) throws Exception {
+    type(text + TAB);
     CompletableFuture<Collection<String>> names =
         asked.poll(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
     if (names == null) {
@@ -112,8 +114,7 @@ class CompletionsTest {
   @Test
   void theOnlyNameIsInsertedWhenItComes() throws Exception {
     CompletableFuture<String> line = line();
-    type("\"\".toUp" + TAB);
-    CompletableFuture<Collection<String>> names = question();
+    CompletableFuture<Collection<String>> names = ask("\"\".toUp");
     type(TAB + "x");
     screen.await("x");
     type(BACKSPACE);
@@ -128,8 +129,7 @@ class CompletionsTest {
   @Test
   void severalNamesAreListedAboveWhatIsTyped() throws Exception {
     CompletableFuture<String> line = line();
-    type("\"\".to" + TAB);
-    CompletableFuture<Collection<String>> names = question();
+    CompletableFuture<Collection<String>> names = ask("\"\".to");
     type("U");
     screen.await("U");
     type(BACKSPACE);
@@ -144,13 +144,11 @@ class CompletionsTest {
   @Test
   void anAnswerThatIsNoLongerAskedForChangesNothing() throws Exception {
     CompletableFuture<String> line = line();
-    type("\"\".toU" + TAB);
-    CompletableFuture<Collection<String>> names = question();
+    CompletableFuture<Collection<String>> names = ask("\"\".toU");
     type("pp");
     screen.await("pp");
     names.complete(List.of("toUpper"));
-    type("er; \"\".toL" + TAB);
-    question().complete(List.of("toLower"));
+    ask("er; \"\".toL").complete(List.of("toLower"));
     screen.await("ower");
     type(";" + ENTER);
     assertEquals("\"\".toUpper; \"\".toLower;", end(line));

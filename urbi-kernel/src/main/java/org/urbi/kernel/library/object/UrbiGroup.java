@@ -70,17 +70,18 @@ public final class UrbiGroup extends UrbiObject implements SlotProxy {
     for (int i = 0; i < targets.size(); i++) {
       // Groups of groups may have more members than anybody waits for.
       frame.job().checkInterrupted();
+      UrbiObject target = targets.get(i);
       UrbiObject own = value;
       if (value instanceof UrbiGroup group && group.members().size() == targets.size()) {
         own = group.members().get(i);
       }
-      if (assigned.has(targets.get(i))) {
+      if (assigned.has(target)) {
         // Its members are all being assigned.
         values.add(own);
-      } else if (targets.get(i) instanceof UrbiGroup group) {
+      } else if (target instanceof UrbiGroup group) {
         values.add(group.updateSlot(frame, slot, own, assigned));
       } else {
-        SlotUpdate.assign(frame, targets.get(i), slot, own);
+        SlotUpdate.assign(frame, target, slot, own);
         values.add(own);
       }
     }
