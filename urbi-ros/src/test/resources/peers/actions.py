@@ -14,6 +14,7 @@ from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalRespons
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from talk import say
 from test_msgs.action import Fibonacci
 
 rclpy.init()
@@ -33,10 +34,6 @@ def spin():
 
 threading.Thread(target=spin, daemon=True).start()
 kept = []
-
-
-def say(*words):
-    print(*words, flush=True)
 
 
 def serve(name, mode):

@@ -13,6 +13,7 @@ from cyclonedds.pub import DataWriter
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
+from talk import say
 
 
 @dataclass
@@ -68,10 +69,6 @@ class TFMessage(IdlStruct, typename="tf2_msgs::msg::dds_::TFMessage_"):
 participant = DomainParticipant(int(os.environ["ROS_DOMAIN_ID"]))
 qos = Qos(Policy.Reliability.Reliable(duration(seconds=10)), Policy.History.KeepLast(5000))
 kept = []
-
-
-def say(*words):
-    print(*words, flush=True)
 
 
 def publish(topic, count, size, rate):

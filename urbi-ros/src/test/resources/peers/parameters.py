@@ -16,6 +16,7 @@ from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.qos import qos_profile_parameter_events
 from rosgraph_msgs.msg import Clock
+from talk import say
 
 rclpy.init()
 node = rclpy.create_node("peer")
@@ -23,10 +24,6 @@ executor = SingleThreadedExecutor()
 executor.add_node(node)
 threading.Thread(target=executor.spin, daemon=True).start()
 kept = []
-
-
-def say(*words):
-    print(*words, flush=True)
 
 
 def wait(future):

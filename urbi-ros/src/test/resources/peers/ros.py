@@ -7,15 +7,12 @@ import guard  # noqa: F401
 import rclpy
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
+from talk import say
 from test_msgs.srv import BasicTypes
 
 rclpy.init()
 node = rclpy.create_node("peer")
 qos = QoSProfile(depth=5000)
-
-
-def say(*words):
-    print(*words, flush=True)
 
 
 def publish(topic, count, size, rate):
