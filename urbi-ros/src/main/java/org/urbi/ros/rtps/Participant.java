@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.Condition;
 import java.util.function.UnaryOperator;
 import org.urbi.ros.time.WallClock;
 
@@ -25,9 +26,11 @@ public final class Participant implements AutoCloseable {
   private final Map<Integer, Writer> writers = new LinkedHashMap<>();
   private final Map<Integer, Reader> readers = new LinkedHashMap<>();
   private final ParticipantInfo info;
+  private final Condition writerEnds;
   private int entities;
   private long malformed;
   private boolean closed;
+  private boolean ended;
 
   /**
    * Opens its sockets, and begins to look for others.
@@ -62,6 +65,7 @@ public final class Participant implements AutoCloseable {
     this.listener = listener;
     transport = new UdpTransport(options.domain(), options.address(), this::trouble);
     reactor = new Reactor("urbi-ros-rtps-timers", this::trouble);
+    writerEnds = reactor.newCondition();
     environment = new Environment(prefix, options, reactor, network.apply(transport));
     info =
         new ParticipantInfo(
@@ -173,7 +177,7 @@ public final class Participant implements AutoCloseable {
   /** A writer or reader of its own is closed, and others are told; with the lock. */
   void closed(LocalEndpoint endpoint) {
     int entity = endpoint.info().guid().entity();
-    writers.remove(entity);
+    if (writers.remove(entity) != null) writerEnds.signalAll();
     readers.remove(entity);
     matching.remove(endpoint);
     discovery.withdraw(endpoint.info());
@@ -223,15 +227,20 @@ public final class Participant implements AutoCloseable {
     }
   }
 
-  /** Tells everybody that it goes, and closes what it has. */
+  /**
+   * Closes what it has, and tells everybody that it goes. Waits until its reliable readers have
+   * what was written, a second at most.
+   */
   @Override
   public void close() {
     reactor.lock();
     try {
       if (closed) return;
+      closed = true;
       List.copyOf(writers.values()).forEach(Writer::close);
       List.copyOf(readers.values()).forEach(Reader::close);
-      closed = true;
+      awaitWriters();
+      ended = true;
       discovery.close();
       // Also if it is closed by what is called when something was received.
       reactor.leave();
@@ -240,6 +249,20 @@ public final class Participant implements AutoCloseable {
     }
     reactor.close();
     transport.close();
+  }
+
+  /** What the participant's own threads close cannot wait for what these have to do. */
+  private void awaitWriters() {
+    long left = reactor.isCurrent() ? 0 : Writer.LINGERS;
+    try {
+      while (!writers.isEmpty() && left > 0) {
+        reactor.leave();
+        left = writerEnds.awaitNanos(left);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    List.copyOf(writers.values()).forEach(Writer::end);
   }
 
   private void trouble(String what, Throwable reason) {
@@ -251,7 +274,7 @@ public final class Participant implements AutoCloseable {
   private void received(ByteBuffer datagram, InetSocketAddress from) {
     reactor.lock();
     try {
-      if (!closed) MessageParser.parse(datagram, this::received);
+      if (!ended) MessageParser.parse(datagram, this::received);
     } catch (MalformedException e) {
       malformed++;
     } finally {

@@ -82,14 +82,19 @@ final class Reactor {
     adopted = other;
   }
 
+  /** Whether the calling thread is one of the two of the participant. */
+  boolean isCurrent() {
+    Thread current = Thread.currentThread();
+    return current == thread || current == adopted;
+  }
+
   /**
    * Makes a call after the lock has been left, by one of the two threads of the participant, in the
    * order of these calls.
    */
   void later(Runnable call) {
     calls.add(call);
-    Thread current = Thread.currentThread();
-    if (current != thread && current != adopted) wakeUp();
+    if (!isCurrent()) wakeUp();
   }
 
   /** Makes the calls that wait, and does then what is due when the lock is left. */

@@ -3,12 +3,16 @@ package org.urbi.ros.rtps;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /** Writes samples of a topic. Any thread may use it. */
 public final class Writer implements AutoCloseable {
+  /** How long a closed one goes on serving readers that do not have everything yet, in ns. */
+  static final long LINGERS = TimeUnit.SECONDS.toNanos(1);
+
   private final Participant participant;
   private final Reactor reactor;
   private final EndpointInfo info;
@@ -16,9 +20,11 @@ public final class Writer implements AutoCloseable {
   private final LocalEndpoint endpoint = new Endpoint();
   private final StatefulWriter protocol;
   private final Condition roomCondition;
+  private final Reactor.Timer lingering;
   private final int largest;
   private boolean hadNoRoom;
   private boolean closed;
+  private boolean ended;
 
   Writer(
       Participant participant,
@@ -32,6 +38,7 @@ public final class Writer implements AutoCloseable {
     largest = environment.options.largestSample();
     protocol = new StatefulWriter(environment, info.guid().entity(), info.qos(), this::roomChanges);
     roomCondition = reactor.newCondition();
+    lingering = reactor.timer("end of a writer", this::end);
   }
 
   /** What others are told about it. */
@@ -128,6 +135,8 @@ public final class Writer implements AutoCloseable {
 
   private void roomChanges() {
     roomCondition.signalAll();
+    // Not at once: whoever has noticed it still looks at the readers.
+    if (closed && !ended && protocol.isAcknowledged()) lingering.in(0);
     if (!hadNoRoom || !protocol.hasRoom(1)) return;
     hadNoRoom = false;
     reactor.later(() -> listener.room(this));
@@ -153,19 +162,31 @@ public final class Writer implements AutoCloseable {
     }
   }
 
-  /** Tells everybody that it is no more. */
+  /**
+   * Takes no more samples, and tells everybody that it is no more: at once if all reliable readers
+   * have what was written, else when they have it, or after a second. Never waits.
+   */
   @Override
   public void close() {
     reactor.lock();
     try {
       if (closed) return;
       closed = true;
-      protocol.close();
       roomCondition.signalAll();
-      participant.closed(endpoint);
+      if (protocol.isAcknowledged()) end();
+      else lingering.in(LINGERS);
     } finally {
       reactor.unlock();
     }
+  }
+
+  /** Serves nobody any more; with the lock. */
+  void end() {
+    if (ended) return;
+    ended = true;
+    lingering.cancel();
+    protocol.close();
+    participant.closed(endpoint);
   }
 
   /** As seen by what brings writers and readers together. */
@@ -177,6 +198,7 @@ public final class Writer implements AutoCloseable {
 
     @Override
     public void match(EndpointInfo reader, InetSocketAddress address) {
+      if (closed) return;
       protocol.match(reader.guid(), reader.qos(), address);
       reactor.later(() -> listener.matched(Writer.this, reader));
     }
@@ -185,7 +207,7 @@ public final class Writer implements AutoCloseable {
     public void unmatch(Guid reader) {
       if (!protocol.serves(reader)) return;
       protocol.unmatch(reader);
-      reactor.later(() -> listener.unmatched(Writer.this, reader));
+      if (!closed) reactor.later(() -> listener.unmatched(Writer.this, reader));
     }
 
     @Override
@@ -195,7 +217,7 @@ public final class Writer implements AutoCloseable {
 
     @Override
     public void hindered(EndpointInfo reader, String policy) {
-      reactor.later(() -> listener.hindered(Writer.this, reader, policy));
+      if (!closed) reactor.later(() -> listener.hindered(Writer.this, reader, policy));
     }
   }
 }

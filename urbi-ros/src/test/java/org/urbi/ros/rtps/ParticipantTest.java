@@ -18,6 +18,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.ros.Awaited;
 import org.urbi.ros.rtps.EndpointQos.Liveliness;
 import org.urbi.ros.rtps.Neighbourhood.Receiving;
@@ -88,6 +89,44 @@ class ParticipantTest {
       for (Receiving each : all)
         for (int i = 0; i < rounds; i++) assertTrue(isPayload(each.next().payload(), i, 500));
       for (Writer each : writers) assertTrue(each.awaitAcknowledged(LONG));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whatWasWrittenBeforeTheEndArrives(boolean participantEnds) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood()) {
+      Receiving receiving = new Receiving(true);
+      Sending sending = new Sending();
+      domain.open(new Link(4, 1)).reader("rt/x", TYPE, ALL, NO_DATA, receiving);
+      Participant sender = domain.open(new Link(4, 2));
+      Writer writer = sender.writer("rt/x", TYPE, ALL, NO_DATA, sending);
+      sending.awaitMatched();
+      for (int i = 0; i < 200; i++) assertEquals(i + 1, writer.write(payload(i, 500)));
+      writer.close();
+      assertEquals(0, writer.write(payload(0, 500)));
+      if (participantEnds) sender.close();
+      for (int i = 0; i < 200; i++) assertTrue(isPayload(receiving.next().payload(), i, 500));
+    }
+  }
+
+  @Test
+  void whoDoesNotAnswerKeepsNobodyFromEnding() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood()) {
+      Link link = new Link(0, 1);
+      Sending sending = new Sending();
+      domain.open(link).reader("rt/x", TYPE, ALL, NO_DATA, new Receiving(true));
+      Participant sender = domain.open();
+      Writer writer = sender.writer("rt/x", TYPE, ALL, NO_DATA, sending);
+      sending.awaitMatched();
+      link.cut(true);
+      writer.write(payload(1, 40));
+      writer.close();
+      domain.awaitTold("lost rt/x");
+      Writer other = sender.writer("rt/x", TYPE, EndpointQos.bestEffort(1), NO_DATA, sending);
+      other.write(payload(1, 40));
+      sender.close();
+      domain.awaitTold("lost " + sender.info().prefix());
     }
   }
 
