@@ -173,6 +173,22 @@ class TerminalTest {
     user.await("] 805");
   }
 
+  /**
+   * Whatever comes between two keys: a key that counted twice would end the session with the second
+   * statement that is dropped, because a second interrupt does that.
+   */
+  @Test
+  void statementsCanBeDroppedOneAfterTheOther() throws Exception {
+    for (int i = 0; i < 10; i++) {
+      user.enter("[");
+      user.await("[> ");
+      drop("dropped " + i);
+      user.await(EDITOR_ENDS);
+    }
+    user.enter("900;");
+    user.await("] 900");
+  }
+
   @Test
   void ctrlZGivesTheTerminalToTheShellUntilFg() throws Exception {
     user.enter("810;");
@@ -195,6 +211,7 @@ class TerminalTest {
       other.enter("./urbi -i; stty -a; echo over $((1 + 1))");
       other.type("1 + 41;" + ENTER + END);
       other.await("] 42");
+      other.await(TypedTerminal.ENDED);
       String settings = other.await("over 2");
       assertFalse(settings.contains("-icanon") || settings.contains("-echo "), settings);
     }

@@ -27,6 +27,9 @@ final class TypedTerminal implements AutoCloseable {
   static final String TAB = "\t";
   static final String SUSPEND = "\u001A";
 
+  /** What the command {@code ./urbi} says, at last: who waits for more waits in vain. */
+  static final String ENDED = "urbi has ended: ";
+
   /** How long what must happen may take, in seconds. */
   private static final long PATIENCE = TestTimeout.LONG.toSeconds();
 
@@ -47,7 +50,9 @@ final class TypedTerminal implements AutoCloseable {
             .map(word -> "'" + word.replace("'", "'\\''") + "'")
             .collect(Collectors.joining(" "));
     Path urbi = folder.resolve("urbi");
-    Files.writeString(urbi, "#!/bin/sh\nexec " + words + " \"$@\"\n");
+    // The interrupt key is for all that runs there; the shell must live to tell of the end.
+    String script = "#!/bin/sh\ntrap : INT\n%s \"$@\"\necho \"%s$?\"\n";
+    Files.writeString(urbi, script.formatted(words, ENDED));
     if (!urbi.toFile().setExecutable(true)) {
       throw new IOException("cannot make " + urbi + " executable");
     }
@@ -101,14 +106,17 @@ final class TypedTerminal implements AutoCloseable {
     type(line + ENTER);
   }
 
-  /** Waits until a text appears, behind what was waited for before; returns what came with it. */
+  /**
+   * Waits until a text appears, behind what was waited for before; returns what came with it. Gives
+   * up when the program has ended without it.
+   */
   String await(String text) throws InterruptedException {
     long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
     synchronized (screen) {
       int found = screen.indexOf(text, seen);
       while (found < 0) {
         long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime());
-        if (over || left <= 0) {
+        if (over || left <= 0 || screen.indexOf(ENDED, seen) >= 0) {
           throw new AssertionError(
               "no `" + text + "' in what follows " + seen + " characters of:\n" + screen);
         }

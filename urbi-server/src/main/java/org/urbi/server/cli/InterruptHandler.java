@@ -1,9 +1,8 @@
 package org.urbi.server.cli;
 
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.SystemClock;
 
 /**
  * Handles {@code Ctrl-C} (manual, section 21.3.2). In a session the first interrupt kills the
@@ -11,16 +10,19 @@ import java.util.function.BooleanSupplier;
  * at once. Without a session the first interrupt shuts down and the second ends the process.
  */
 final class InterruptHandler {
-  private static final int SECOND_WITHIN_MILLISECONDS = 1500;
+  /** In nanoseconds. A timer would be late on a busy machine, and a later interrupt the second. */
+  private static final long SECOND_WITHIN = 1_500_000_000;
+
   private static final int KILLED_BY_INTERRUPT = 130;
 
   private final BooleanSupplier inSession;
   private final Runnable killForeground;
   private final Runnable shutdown;
   private final Runnable halt;
-  private final Executor later;
+  private final Clock clock;
   private boolean shuttingDown;
-  private int recent;
+  private boolean interrupted;
+  private long interruptedAt;
 
   InterruptHandler(BooleanSupplier inSession, Runnable killForeground, Runnable shutdown) {
     this(
@@ -28,28 +30,26 @@ final class InterruptHandler {
         killForeground,
         shutdown,
         () -> Runtime.getRuntime().halt(KILLED_BY_INTERRUPT),
-        CompletableFuture.delayedExecutor(SECOND_WITHIN_MILLISECONDS, TimeUnit.MILLISECONDS));
+        new SystemClock());
   }
 
-  /**
-   * For tests.
-   *
-   * @param later runs what it is given once the time for a second interrupt is over
-   */
+  /** For tests. */
   InterruptHandler(
       BooleanSupplier inSession,
       Runnable killForeground,
       Runnable shutdown,
       Runnable halt,
-      Executor later) {
+      Clock clock) {
     this.inSession = inSession;
     this.killForeground = killForeground;
     this.shutdown = shutdown;
     this.halt = halt;
-    this.later = later;
+    this.clock = clock;
   }
 
-  /** Registers for the interrupt signal. A terminal session calls {@link #interrupted} itself. */
+  /**
+   * Registers for the interrupt signal. An editor, where it is a key, calls {@link #interrupted}.
+   */
   void install() {
     Signals.whenInterrupted(this::interrupted);
   }
@@ -58,21 +58,18 @@ final class InterruptHandler {
   void interrupted() {
     Runnable reaction;
     synchronized (this) {
+      long now = clock.now();
       if (shuttingDown) {
         reaction = halt;
-      } else if (recent > 0 || !inSession.getAsBoolean()) {
+      } else if (interrupted && now - interruptedAt < SECOND_WITHIN || !inSession.getAsBoolean()) {
         shuttingDown = true;
         reaction = shutdown;
       } else {
-        ++recent;
-        later.execute(this::forget);
+        interrupted = true;
+        interruptedAt = now;
         reaction = killForeground;
       }
     }
     reaction.run();
-  }
-
-  private synchronized void forget() {
-    --recent;
   }
 }

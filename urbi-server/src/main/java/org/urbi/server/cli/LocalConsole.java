@@ -93,14 +93,17 @@ final class LocalConsole implements AutoCloseable {
   void start() {
     InterruptHandler interrupts =
         new InterruptHandler(this::isSession, () -> opened().interrupt(), this::shutDown);
-    if (terminal == null) {
-      interrupts.install();
-    }
     if (settings.text().isEmpty() && settings.input() == Settings.Input.NONE) {
+      interrupts.install();
       return;
     }
     Connection made = lobbies.apply(console, settings.holdsTime());
     connection = made;
+    interrupts.install();
+    if (terminal != null) {
+      Signals.whenResized(terminal::resized);
+      Signals.whenContinued(terminal::continued);
+    }
     made.send(settings.text());
     switch (settings.input()) {
       case NONE -> inputEnded();

@@ -57,14 +57,22 @@ public final class TerminalSession implements AutoCloseable {
   private volatile boolean closed;
 
   /**
-   * Opens the terminal of this process.
+   * Opens the terminal of this process. {@code Ctrl-C} is a key for the editor, and a signal at all
+   * other times, never both; the process handles signals itself, because the editor would do so
+   * anew for each line, and in between a signal would end the process.
    *
    * @param colours whether it shows any
    * @param searchPath where scripts are looked for
    */
   public static TerminalSession open(boolean colours, List<Path> searchPath) {
+    System.setProperty(TerminalBuilder.PROP_SOFTWARE_SIGNALS, "false");
     try {
-      Terminal terminal = TerminalBuilder.builder().system(true).graphemeCluster(false).build();
+      Terminal terminal =
+          TerminalBuilder.builder()
+              .system(true)
+              .nativeSignals(false)
+              .graphemeCluster(false)
+              .build();
       return new TerminalSession(terminal, StatementHistory.userFile(), colours, searchPath);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -133,11 +141,10 @@ public final class TerminalSession implements AutoCloseable {
   /**
    * Reads statements up to {@code Ctrl-D} or the end of the lobby.
    *
-   * @param interrupt what {@code Ctrl-C} does, unless it is there to drop what was typed
+   * @param interrupt what {@code Ctrl-C} does in the editor, unless it drops what was typed
    */
   public void run(Console console, Connection connection, Runnable interrupt) {
     this.connection = connection;
-    terminal.handle(Terminal.Signal.INT, signal -> interrupt.run());
     while (console.isOpen()) {
       try {
         within = connection.incomplete();
@@ -166,6 +173,16 @@ public final class TerminalSession implements AutoCloseable {
     } else {
       connection.interrupt();
     }
+  }
+
+  /** Shows what is being typed as the terminal is now: its size has changed. */
+  public void resized() {
+    terminal.raise(Terminal.Signal.WINCH);
+  }
+
+  /** Goes on where the shell has given the terminal back. */
+  public void continued() {
+    terminal.raise(Terminal.Signal.CONT);
   }
 
   /** What the word at the end of a text may become: a name in a string is that of a file. */

@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.time.VirtualClock;
 
 /** The interrupt key of the manual's section 21.3.2. */
 class InterruptHandlerTest {
   private final List<String> done = new ArrayList<>();
-  private final AtomicReference<Runnable> timer = new AtomicReference<>();
+  private final VirtualClock clock = new VirtualClock();
 
   private InterruptHandler interrupts(boolean session) {
     return new InterruptHandler(
@@ -18,7 +18,7 @@ class InterruptHandlerTest {
         () -> done.add("kill foreground"),
         () -> done.add("shutdown"),
         () -> done.add("halt"),
-        timer::set);
+        clock);
   }
 
   @Test
@@ -34,9 +34,12 @@ class InterruptHandlerTest {
   void lateSecondInterruptKillsTheForegroundAgain() {
     InterruptHandler interrupts = interrupts(true);
     interrupts.interrupted();
-    timer.get().run();
+    clock.advanceTo(1_500_000_000);
     interrupts.interrupted();
     assertEquals(List.of("kill foreground", "kill foreground"), done);
+    clock.advanceTo(2_999_999_999L);
+    interrupts.interrupted();
+    assertEquals("shutdown", done.getLast());
   }
 
   @Test
