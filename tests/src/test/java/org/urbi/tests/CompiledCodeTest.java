@@ -28,10 +28,13 @@ class CompiledCodeTest {
   private static final List<Mode> MODES =
       List.of(new Mode(1, 0), new Mode(2, 0), new Mode(1, 3), new Mode(3, 2));
 
-  private static void compare(String name, String program) {
-    String interpreted = KernelSession.runCompiled(0, 0, program);
+  /** For 10,000 nested calls, not 200,000: only programs about the stack need all of it. */
+  private static final int SMALL_STACK = 100;
+
+  private static void compare(String name, int stack, String program) {
+    String interpreted = KernelSession.runCompiled(0, 0, stack, program);
     for (Mode mode : MODES) {
-      String compiled = KernelSession.runCompiled(mode.threshold, mode.doubt, program);
+      String compiled = KernelSession.runCompiled(mode.threshold, mode.doubt, stack, program);
       if (!interpreted.equals(compiled)) {
         assertEquals(interpreted, compiled, name + " in " + mode + ":\n" + program);
       }
@@ -43,7 +46,7 @@ class CompiledCodeTest {
     long end = System.nanoTime() + GENERATED.toNanos();
     long seed = FIRST_SEED;
     do {
-      compare("the program of seed " + seed, NumericProgramGenerator.program(seed));
+      compare("the program of seed " + seed, 0, NumericProgramGenerator.program(seed));
       seed++;
     } while (System.nanoTime() < end);
   }
@@ -527,7 +530,8 @@ class CompiledCodeTest {
   @ParameterizedTest
   @MethodSource("names")
   void handMadeProgramsDoTheSame(String name) {
-    compare(name, requireNonNull(programs().get(name)));
+    int stack = name.contains("the stack is") ? 0 : SMALL_STACK;
+    compare(name, stack, requireNonNull(programs().get(name)));
   }
 
   static Stream<String> names() {
@@ -540,6 +544,7 @@ class CompiledCodeTest {
         KernelSession.runCompiled(
             1,
             0,
+            0,
             "function same(a) { a }|; function f(a) {\n"
                 + "a = a + same(1);\n".repeat(300)
                 + "a }|; f(0); System.tier[\"refused\"] > 0;");
@@ -551,6 +556,7 @@ class CompiledCodeTest {
     String output =
         KernelSession.runCompiled(
             2,
+            0,
             0,
             """
             function f(n) { var sum = 0; for| (var i : n) sum += i | sum }|;

@@ -115,10 +115,13 @@ public final class KernelSession implements AutoCloseable {
    *
    * @param threshold after how many calls or turns; 0 for never
    * @param doubt every how many times compiled code takes the slow path in spite of itself, or 0
+   * @param stack the size of it that limits nested calls, in KiB; 0 for as much as there is
    */
-  static String runCompiled(int threshold, int doubt, String program) {
+  static String runCompiled(int threshold, int doubt, int stack, String program) {
     return run(
-        builder(BackEnd.TICK_LOOP).tier(threshold).tierDoubt(doubt), InputMode.WHOLE, program);
+        builder(BackEnd.TICK_LOOP).tier(threshold).tierDoubt(doubt).stackSize(stack),
+        InputMode.WHOLE,
+        program);
   }
 
   private static String run(KernelBuilder builder, InputMode feeding, String program) {
