@@ -2,24 +2,22 @@
 # Makes a start-up cache of a distribution: a rehearsal whose loaded classes the JDK writes beside the
 # jars (their profiles would only make the compilers busy at start-up).
 #   warm-up.sh ROOT DIST JAVA [LOG]       urbi.aot, for short programs; called by ./build and ./package
-#   warm-up.sh ROOT DIST JAVA JAR FOLDER  server.aot, for servers: with the network, and a module; for ./check
+#   warm-up.sh ROOT DIST JAVA LOG FOLDER  server.aot, for servers and programs connected to them; for ./check
 set -eu
 root=$1 dist=$2 java=$3
 unset URBI_JAVA_OPTS # the cache is for those who start without
 collector=
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
+log=${4:-$root/.build/warm-up.log}
 if [ $# -le 4 ]; then
   cache=$root/$dist/urbi.aot
-  log=${4:-$root/.build/warm-up.log}
   set -- org.urbi.server.cli.TrainingRun "$(dirname "$0")/warm-up.u"
 else
   cache=$root/$dist/server.aot
-  log=$root/.build/warm-up-server.log
   WARM_UP_PORT=$5/port
   export WARM_UP_PORT
-  set -- org.urbi.server.cli.UrbiCommand -q --port 0 --port-file "$5/port" -m "$4" \
-    -f "$root/scripts/warm-up.u" -f "$root/scripts/warm-up-server.u"
+  set -- org.urbi.server.launch.ServerTrainingRun "$5" "$root/scripts/warm-up.u" "$root/scripts/warm-up-server.u"
 fi
 # Everything is compiled at once (docs/tier.md), so that the classes of the compiler are in the cache.
 # shellcheck disable=SC2086
