@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -14,6 +15,12 @@ import org.urbi.tests.UObjectJars;
 final class JavaListings {
   private static final Pattern CLASS =
       Pattern.compile("^public (?:final )?class (\\w+)", Pattern.MULTILINE);
+  private static final String[] FLAGS =
+      System.getProperty(
+              "urbi.distribution.flags",
+              "-XX:+UseSerialGC --add-opens=java.base/java.lang=ALL-UNNAMED")
+          .split(" ");
+
   private static final Pattern OWN_IMPORT = Pattern.compile("^import ", Pattern.MULTILINE);
 
   /** What pages do not repeat in each listing. */
@@ -85,15 +92,15 @@ final class JavaListings {
     // Surefire hides the class path of the tests in a jar.
     String tests =
         System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
-    ProcessBuilder builder =
-        new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:+UseSerialGC",
-            "-XX:TieredStopAtLevel=1",
-            "--add-opens=java.base/java.lang=ALL-UNNAMED",
-            "-cp",
-            classes + File.pathSeparator + tests,
-            source(listing).className());
+    String jars = System.getProperty("urbi.distribution.jars", tests);
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of(FLAGS));
+    command.add("-XX:TieredStopAtLevel=1");
+    // The jars come first: the start-up cache is for who begins with them.
+    command.addAll(List.of("-cp", jars + File.pathSeparator + classes));
+    command.add(source(listing).className());
+    ProcessBuilder builder = new ProcessBuilder(command);
     Process process = builder.directory(folder.toFile()).redirectErrorStream(true).start();
     process.getOutputStream().close();
     return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)

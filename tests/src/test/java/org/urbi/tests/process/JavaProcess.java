@@ -26,6 +26,9 @@ import org.urbi.tests.TestTimeout;
 final class JavaProcess implements AutoCloseable {
   private static final String SERIAL = "-XX:+UseSerialGC";
 
+  /** The only program that is a server; to the others {@code --port} is where to connect to. */
+  private static final String SERVER = "org.urbi.server.cli.UrbiCommand";
+
   private static final List<String> COLLECTOR_OF_SERVERS = collectorOfServers();
 
   private static final List<String> FLAGS =
@@ -127,7 +130,8 @@ final class JavaProcess implements AutoCloseable {
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of(DISTRIBUTION_FLAGS));
     command.addAll(FLAGS);
-    if (arguments.contains("--port")
+    if (mainClass.equals(SERVER)
+        && arguments.contains("--port")
         && !setting.hasLittleMemory()
         && command.removeIf(SERIAL::equals)) {
       command.addAll(COLLECTOR_OF_SERVERS);
