@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
  * modules plugged into a server, and with the same modules in processes of their own. Two servers
  * are enough for all: modules come and go.
  */
-class UObjectDialogueTest {
+class DialogueTest {
   private static final Path DIALOGUES = Modules.SOURCES.resolve("dialogues");
 
   @TempDir static Path folder;
