@@ -8,6 +8,7 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
 import org.urbi.kernel.trust.Role;
 
 /**
@@ -361,7 +362,8 @@ public final class Job implements Runnable {
     } else if (scheduler.hasOthers()) {
       place = code;
       where = next;
-      yieldNow();
+      scheduler.enqueueAgain(this);
+      switchOut();
     } else {
       checkInjected();
     }
@@ -435,29 +437,38 @@ public final class Job implements Runnable {
 
   private void switchOut() {
     // What others read does not count for the condition that this job is evaluating.
-    Dependencies.Tracker tracker = scheduler.world().tracker;
-    scheduler.world().tracker = null;
+    World world = scheduler.world();
+    Dependencies.Tracker tracker = world.tracker;
+    world.tracker = null;
     if (observer != null) {
       observer.switchedOut();
     }
     try {
       thread.suspend();
     } catch (Throwable failure) {
-      // It goes on running, so nothing must wake it.
-      scheduler.dequeue(this);
-      time.endSleep();
+      goOn();
+      switchedIn(tracker);
       throw failure;
-    } finally {
-      if (observer != null) {
-        observer.switchedIn();
-      }
-      scheduler.world().tracker = tracker;
-      state = JobState.RUNNING;
-      wait = Wait.TURN;
-      place = null;
-      where = null;
     }
+    switchedIn(tracker);
     checkInjected();
+  }
+
+  /** It goes on running, so nothing must wake it. */
+  private void goOn() {
+    scheduler.dequeue(this);
+    time.endSleep();
+  }
+
+  private void switchedIn(Dependencies.@Nullable Tracker tracker) {
+    if (observer != null) {
+      observer.switchedIn();
+    }
+    scheduler.world().tracker = tracker;
+    state = JobState.RUNNING;
+    wait = Wait.TURN;
+    place = null;
+    where = null;
   }
 
   /** Throws the exception that other code has injected into this job, if any. */

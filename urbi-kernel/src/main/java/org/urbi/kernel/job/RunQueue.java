@@ -270,9 +270,10 @@ class RunQueue {
 
   /** The queue that a job is to join. */
   private JobList queueFor(Job job) {
-    if (!rushing) {
-      return together;
-    }
+    return rushing ? queueInRush(job) : together;
+  }
+
+  private JobList queueInRush(Job job) {
     if (current != nobody && job.account() == last) {
       return current.jobs;
     }

@@ -321,6 +321,13 @@ public final class Scheduler {
 
   void enqueue(Job job) {
     yields.endGrant();
+    enqueueAgain(job);
+  }
+
+  /**
+   * The same for the running job, which {@linkplain #hasOthers has found} others: no grant is left.
+   */
+  void enqueueAgain(Job job) {
     if (turnMeter != null) {
       turnMeter.woken(job, running);
     }
@@ -353,24 +360,33 @@ public final class Scheduler {
     return yields;
   }
 
-  /** Whether a job that could continue should let others run first. */
+  /**
+   * Whether a job that could continue should let others run first; to be asked when its {@code ;}
+   * does not just {@linkplain YieldCount#passes pass}.
+   */
   boolean hasOthers() {
-    return !yields.passes() && looksForOthers();
+    yields.endGrant();
+    if (runnable.isEmpty() && isAlone()) {
+      return false;
+    }
+    yields.reset();
+    return true;
   }
 
-  private boolean looksForOthers() {
-    yields.endGrant();
-    if (!runnable.isEmpty()
-        || !newcomers.isEmpty()
+  /**
+   * Nobody is in the queue: whether the job may go on. It is apart from what each switch does: that
+   * is so small that the virtual machine puts it into the loops of compiled code.
+   */
+  private boolean isAlone() {
+    if (!newcomers.isEmpty()
         || ((inbox.isFilled() || counted)
             && journal.yieldsToMessages(yields.count(), inbox.isFilled()))
         || (yields.isOver() && time.isTickDue(!endOfTick.isEmpty()))
         || time.isBusyForLong()) {
-      yields.reset();
-      return true;
+      return false;
     }
     yields.grant(running != null && running.hasOnlyOthersToMind() ? time.grant() : 0);
-    return false;
+    return true;
   }
 
   /** Whether there are others to run with at least that priority. */
