@@ -1,5 +1,6 @@
 package org.urbi.tests;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
@@ -8,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -28,16 +30,38 @@ public final class UObjectJars {
 
   private UObjectJars() {}
 
+  /** What this JVM makes: others run other tests at the same time. It goes when the JVM ends. */
+  private static final class Own {
+    static final Path FOLDER = make();
+
+    private static Path make() {
+      try {
+        Path folder = Files.createTempDirectory(Path.of("target"), "uobject-jars").toAbsolutePath();
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(folder)));
+        return folder;
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+
+    private static void delete(Path folder) {
+      try (Stream<Path> all = Files.walk(folder)) {
+        all.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+
   /** Made once, for all tests. */
   private static final class Made {
     static final Path FOLDER = makeAll();
 
     private static Path makeAll() {
       try (Stream<Path> modules = Files.list(SOURCES)) {
-        // Of this JVM alone: others run other tests at the same time.
-        Path folder = Files.createTempDirectory(Path.of("target"), "uobject-jars").toAbsolutePath();
+        Path folder = Files.createDirectory(Own.FOLDER.resolve("jars"));
         // All at once, so that the compiler reads only once what each of them needs.
-        Path classes = Files.createTempDirectory("uobject-classes");
+        Path classes = Files.createTempDirectory(Own.FOLDER, "classes");
         compile(SOURCES, classes);
         for (Path module : modules.sorted().toList()) {
           Set<String> own = classNames(module);
@@ -78,10 +102,10 @@ public final class UObjectJars {
 
   /** Compiles a source of that name, and puts the classes in a jar. */
   static void make(String className, String source, Path jar) throws IOException {
-    Path folder = Files.createTempDirectory("uobject-source");
+    Path folder = Files.createTempDirectory(Own.FOLDER, "source");
     Path file = folder.resolve(className + ".java");
     Files.writeString(file, source);
-    Path classes = Files.createTempDirectory("uobject-classes");
+    Path classes = Files.createTempDirectory(Own.FOLDER, "classes");
     compile(folder, classes);
     pack(classes, jar, "");
   }
