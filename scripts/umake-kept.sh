@@ -88,7 +88,7 @@ make_kept() {
     } >"$new/Makefile"
     echo "#include <urbi/uobject.hh>" >"$new/uobject.hh"
     made=$kept_in/$kept_for.$(date +%s).$$
-    if make -s -j "$jobs" -C "$new" -f Makefile >/dev/null 2>&1 9>&- &&
+    if make -s -j "$jobs" -C "$new" -f Makefile >/dev/null 2>&1 8>&- 9>&- &&
       sed 's/^[^:]*:\( \|$\)//; s/\\$//' "$new/uobject.d" | tr -s ' ' '\n' | grep '^/' >"$new/headers" &&
       rm -f "$new"/*.o "$new"/*.d "$new/Makefile" &&
       (cd "$new" && wc -c uobject.hh.gch liburbi.a >sizes) && is_whole "$new" &&

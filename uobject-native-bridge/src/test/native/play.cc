@@ -1,5 +1,7 @@
 // Plays dialogues, each with the library of its module: play MODULE.so DIALOGUE… Run under Valgrind and with
 // AddressSanitizer, which can look at C++ code by itself, and not at a Java virtual machine.
+#include <urbi/uobject.hh>
+
 #include <cstdio>
 #include <fstream>
 #include <iostream>

@@ -21,16 +21,22 @@ class HeadersTest {
   private static final Path UNIT = Path.of("src", "test", "native", "unit.cc").toAbsolutePath();
 
   /**
-   * The code in them does what it should. Whether it does so with memory, scripts/memory-check
-   * tells.
+   * The code in them does what it should, with memory too if there is a Valgrind to tell. That of
+   * modules is looked at by scripts/memory-check.
    */
   @Test
   void unitTests() throws IOException {
     CxxCompiler.assumeCompiler();
     Files.createDirectories(CxxCompiler.MADE);
     Path program = CxxCompiler.MADE.resolve("unit");
-    CxxCompiler.compileProgram("g++", program, UNIT, "-std=c++20");
-    assertEquals(new Run(0, "0 failures\n"), CxxCompiler.run(List.of(program.toString())));
+    CxxCompiler.compileProgram("g++", program, UNIT, "-std=c++20", "-g1");
+    List<String> command = new ArrayList<>();
+    if (CxxCompiler.exists("valgrind")) {
+      command.addAll(List.of("valgrind", "-q", "--error-exitcode=9", "--leak-check=full"));
+      command.add("--errors-for-leak-kinds=definite,indirect");
+    }
+    command.add(program.toString());
+    assertEquals(new Run(0, "0 failures\n"), CxxCompiler.run(command));
   }
 
   private static List<String> headers(String folder) throws IOException {

@@ -46,13 +46,17 @@ class LifetimeTest {
     return Files.readString(Path.of("/proc/self/maps")).contains(library.getFileName().toString());
   }
 
-  private static Path library(String name, int version) {
-    return CxxCompiler.libraryByHand(name, "enum { VERSION = " + version + " };\n" + COUNTED);
+  private static String counted(int version) {
+    return "enum { VERSION = " + version + " };\n" + COUNTED;
+  }
+
+  private static Path byHand() {
+    return CxxCompiler.libraryByHand("counted1", counted(1));
   }
 
   @Test
   void unloadedWithItsObjects() throws IOException {
-    Path file = Files.copy(library("counted1", 1), folder.resolve("unloaded.so"));
+    Path file = Files.copy(byHand(), folder.resolve("unloaded.so"));
     try (Kernel kernel = Kernel.builder().log(line -> {}).start()) {
       kernel.eval("loadModule(\"" + file + "\")");
       assertTrue(isMapped(file));
@@ -65,7 +69,7 @@ class LifetimeTest {
 
   @Test
   void unloadedWithTheKernel() throws IOException {
-    Path file = Files.copy(library("counted1", 1), folder.resolve("ended.so"));
+    Path file = Files.copy(byHand(), folder.resolve("ended.so"));
     try (Kernel kernel = Kernel.builder().log(line -> {}).start()) {
       kernel.eval("loadModule(\"" + file + "\")");
       kernel.eval("var c = Counted.new()|");
@@ -75,12 +79,12 @@ class LifetimeTest {
 
   @Test
   void replacedWhileObjectsStay() throws IOException {
-    Path file = Files.copy(library("counted1", 1), folder.resolve("replaced.so"));
+    Path file = Files.copy(byHand(), folder.resolve("replaced.so"));
     try (Kernel kernel = Kernel.builder().log(line -> {}).start()) {
       kernel.eval("loadModule(\"" + file + "\")");
       kernel.eval("var Global.c = Counted.new()| Global.c.v = 5|");
       Files.delete(file);
-      Files.copy(library("counted2", 2), file);
+      Files.copy(CxxCompiler.libraryOf("counted2", counted(2)), file);
       kernel.eval("loadModule(\"" + file + "\")");
       assertEquals(2.0, kernel.eval("Global.c.ping()"));
       assertEquals(5.0, kernel.eval("Global.c.v"));
@@ -90,7 +94,7 @@ class LifetimeTest {
 
   @Test
   void twoKernelsShareNothing() {
-    Path file = library("counted1", 1);
+    Path file = byHand();
     try (Kernel one = Kernel.builder().log(line -> {}).start();
         Kernel other = Kernel.builder().log(line -> {}).start()) {
       one.eval("loadModule(\"" + file + "\")");

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -69,6 +71,55 @@ class UmakeTest {
 
     assertEquals(0, umake("umake-deepclean", folder.toString()).status());
     assertFalse(Files.exists(folder.resolve("_ubuild-small.so")));
+  }
+
+  /** Whoever comes second waits, is told so, and finds all of it made. */
+  @Test
+  void twiceAtTheSameTime() throws Exception {
+    Path source = Files.writeString(folder.resolve("once.cc"), "int once() { return 1; }\n");
+    Path compiler = folder.resolve("cxx");
+    Path compiled = folder.resolve("compiled");
+    Path begun = folder.resolve("begun");
+    Path go = folder.resolve("go");
+    assertEquals(0, CxxCompiler.run(List.of("mkfifo", begun.toString(), go.toString())).status());
+    // The first one to compile waits until it is told to.
+    Files.writeString(
+        compiler,
+        """
+        #!/bin/sh
+        case " $* " in *" -c "*)
+          if [ ! -e %1$s ]; then echo >>%1$s; echo >%2$s; read -r word <%3$s; else echo >>%1$s; fi
+        esac
+        exec g++ "$@"
+        """
+            .formatted(compiled, begun, go));
+    assertTrue(compiler.toFile().setExecutable(true));
+    String[] words = {
+      "env",
+      "CXX=" + compiler,
+      ROOT.resolve("bin").resolve("umake-shared").toString(),
+      source.toString(),
+      "-o",
+      folder.resolve("once.so").toString()
+    };
+    CompletableFuture<Run> first =
+        CompletableFuture.supplyAsync(() -> CxxCompiler.run(List.of(words)));
+    Files.readString(begun);
+    Process second = new ProcessBuilder(words).redirectErrorStream(true).start();
+    String said;
+    try (BufferedReader output = second.inputReader()) {
+      said = output.readLine();
+      Files.writeString(go, "\n");
+      assertEquals(
+          "umake: waiting for another umake, which makes " + folder.resolve("once.so"), said);
+      while (said != null) {
+        said = output.readLine();
+      }
+    }
+    assertEquals(0, second.waitFor());
+    succeeds(first.join());
+    assertEquals("\n", Files.readString(compiled));
+    assertTrue(Files.exists(folder.resolve("once.so")));
   }
 
   @Test

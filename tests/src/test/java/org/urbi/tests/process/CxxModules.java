@@ -1,13 +1,10 @@
 package org.urbi.tests.process;
 
-import static java.nio.file.StandardOpenOption.CREATE;
-import static java.nio.file.StandardOpenOption.WRITE;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,8 +15,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
 /**
- * The modules of {@code examples/uobjects-cpp}. They are compiled when first needed, and kept: the
- * next run compiles only what has changed.
+ * The modules of {@code examples/uobjects-cpp}. They are compiled when first needed, and kept,
+ * where scripts/memory-check has them too: the next run compiles only what has changed.
  */
 final class CxxModules {
   static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
@@ -28,7 +25,7 @@ final class CxxModules {
   /** Modules and dialogues for tests alone. */
   static final Path OWN = Path.of("src", "test", "native").toAbsolutePath();
 
-  private static final Path MADE = Path.of("target", "cxx").toAbsolutePath();
+  private static final Path MADE = ROOT.resolve(".build").resolve("cxx");
 
   private final Map<String, Path> made = new ConcurrentHashMap<>();
 
@@ -74,15 +71,13 @@ final class CxxModules {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    // Another JVM, with other tests, may want the same module at the same time.
-    try (FileChannel file = FileChannel.open(MADE.resolve("lock"), CREATE, WRITE)) {
-      file.lock();
-      Path library = MADE.resolve(name + ".so");
+    Path library = MADE.resolve(name + ".so");
+    try {
       umake("umake-shared", "library", sources, library);
-      return library;
     } catch (IOException | InterruptedException e) {
       throw new AssertionError(e);
     }
+    return library;
   }
 
   /**
@@ -96,7 +91,7 @@ final class CxxModules {
     assumeTools("g++", "make");
     List<String> words = new ArrayList<>(List.of(ROOT.resolve("bin").resolve(tool).toString()));
     words.addAll(List.of(options));
-    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=-O0 -g0 -Wall -Wextra -Werror"));
+    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=-O0 -g1 -Wall -Wextra -Werror"));
     words.addAll(List.of(sources.toString(), "-o", made.toString()));
     assertEquals("umake: running to build " + kind + ".\n", output(words.toArray(String[]::new)));
   }
