@@ -68,73 +68,17 @@ namespace libport
     class AsyncCalls
     {
     public:
-      AsyncCalls()
-        : ended_(false)
-        , left_(true)
-      {}
+      AsyncCalls();
 
       /// Forgets all calls, and waits a while for the one that is made. Calls can be added again
       /// after that: a library that has been closed may stay where it is, and be opened once more.
       /// \return whether the thread has gone
-      bool end()
-      {
-        std::unique_lock<std::mutex> guard(lock_);
-        calls_.clear();
-        ended_ = true;
-        changed_.notify_all();
-        if (!changed_.wait_for(guard, std::chrono::seconds(1), [this] { return left_; }))
-          return false;
-        std::thread gone = std::move(thread_);
-        ended_ = false;
-        guard.unlock();
-        if (gone.joinable())
-          gone.join();
-        return true;
-      }
+      bool end();
 
-      AsyncCallHandler add(const std::function<void()>& function, utime_t delay)
-      {
-        AsyncCallHandler made = std::make_shared<AsyncCall>(function);
-        {
-          std::lock_guard<std::mutex> guard(lock_);
-          calls_.insert({std::chrono::steady_clock::now() + std::chrono::microseconds(delay), made});
-          if (!thread_.joinable())
-          {
-            left_ = false;
-            thread_ = std::thread([this] { run(); });
-          }
-        }
-        changed_.notify_all();
-        return made;
-      }
+      AsyncCallHandler add(const std::function<void()>& function, utime_t delay);
 
     private:
-      void run()
-      {
-        std::unique_lock<std::mutex> guard(lock_);
-        while (!ended_)
-          if (calls_.empty())
-            changed_.wait(guard);
-          else if (std::chrono::steady_clock::now() < calls_.begin()->first)
-            changed_.wait_until(guard, calls_.begin()->first);
-          else
-          {
-            AsyncCallHandler due = calls_.begin()->second;
-            calls_.erase(calls_.begin());
-            guard.unlock();
-            try
-            {
-              due->run();
-            }
-            catch (const std::exception& e)
-            {
-              std::fprintf(stderr, "exception caught in an asynchronous call: %s\n", e.what());
-            }
-            guard.lock();
-          }
-        left_ = true;
-        changed_.notify_all();
-      }
+      void run();
 
       std::mutex lock_;
       std::condition_variable changed_;
@@ -146,15 +90,7 @@ namespace libport
 
     /// The calls of this module. They outlive its static variables: when the process of its host ends
     /// the thread is left alone, for it may wait for a host that answers no more.
-    LIBPORT_LOCAL inline AsyncCalls& async_calls()
-    {
-      static AsyncCalls* all = [] {
-        AsyncCalls* made = new AsyncCalls;
-        urbi::detail::module().closers.push_back([made] { return made->end(); });
-        return made;
-      }();
-      return *all;
-    }
+    LIBPORT_LOCAL AsyncCalls& async_calls();
   }
 
   /// Has a function called after so many microseconds.
@@ -164,5 +100,9 @@ namespace libport
     return detail::async_calls().add([function]() mutable { function(); }, delay);
   }
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/async-call.hh>
+#endif
 
 #endif

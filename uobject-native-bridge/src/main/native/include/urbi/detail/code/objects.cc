@@ -1,6 +1,7 @@
 /// The code of objects and of what belongs to them, see export.hh.
 #include <urbi/uobject.hh>
 
+#include <urbi/detail/code/async-call.hh>
 #include <urbi/detail/code/host.hh>
 #include <urbi/detail/code/resident.hh>
 #include <urbi/detail/code/ucallbacks.hh>
