@@ -229,7 +229,7 @@ public final class Participant implements AutoCloseable {
 
   /**
    * Closes what it has, and tells everybody that it goes. Waits until its reliable readers have
-   * what was written, a second at most.
+   * what was written, but no longer than the options allow.
    */
   @Override
   public void close() {
@@ -253,7 +253,7 @@ public final class Participant implements AutoCloseable {
 
   /** What the participant's own threads close cannot wait for what these have to do. */
   private void awaitWriters() {
-    long left = reactor.isCurrent() ? 0 : Writer.LINGERS;
+    long left = reactor.isCurrent() ? 0 : environment.options.linger().toNanos();
     try {
       while (!writers.isEmpty() && left > 0) {
         reactor.leave();

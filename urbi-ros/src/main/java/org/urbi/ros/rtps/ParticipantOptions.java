@@ -13,6 +13,7 @@ import java.util.function.Consumer;
  * @param name what it is called where participants are listed
  * @param userData for other participants to see
  * @param lease others forget it when they hear nothing for so long
+ * @param linger how long what is closed goes on serving readers that do not have everything yet
  * @param fragmentSize larger payloads are sent in fragments of so many bytes
  * @param largestSample longer ones, in bytes, are neither sent nor received
  * @param memory how many bytes each history, each reader's queue, and all half received samples
@@ -26,6 +27,7 @@ public record ParticipantOptions(
     String name,
     byte[] userData,
     Duration lease,
+    Duration linger,
     int fragmentSize,
     int largestSample,
     long memory,
@@ -53,6 +55,7 @@ public record ParticipantOptions(
         "",
         new byte[0],
         Duration.ofSeconds(10),
+        Duration.ofSeconds(1),
         60_000,
         64 * MEGA,
         128L * MEGA,
@@ -78,6 +81,11 @@ public record ParticipantOptions(
   /** The same which others forget after that time. */
   public ParticipantOptions withLease(Duration time) {
     return with(draft -> draft.lease = time);
+  }
+
+  /** The same whose end may take so long. */
+  public ParticipantOptions withLinger(Duration time) {
+    return with(draft -> draft.linger = time);
   }
 
   /** The same with fragments of so many bytes. */
@@ -117,6 +125,7 @@ public record ParticipantOptions(
     private String name;
     private byte[] userData;
     private Duration lease;
+    private Duration linger;
     private int fragmentSize;
     private int largestSample;
     private long memory;
@@ -129,6 +138,7 @@ public record ParticipantOptions(
       name = from.name;
       userData = from.userData;
       lease = from.lease;
+      linger = from.linger;
       fragmentSize = from.fragmentSize;
       largestSample = from.largestSample;
       memory = from.memory;
@@ -143,6 +153,7 @@ public record ParticipantOptions(
           name,
           userData,
           lease,
+          linger,
           fragmentSize,
           largestSample,
           memory,

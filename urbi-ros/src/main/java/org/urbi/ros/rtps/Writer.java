@@ -3,16 +3,12 @@ package org.urbi.ros.rtps;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /** Writes samples of a topic. Any thread may use it. */
 public final class Writer implements AutoCloseable {
-  /** How long a closed one goes on serving readers that do not have everything yet, in ns. */
-  static final long LINGERS = TimeUnit.SECONDS.toNanos(1);
-
   private final Participant participant;
   private final Reactor reactor;
   private final EndpointInfo info;
@@ -22,6 +18,7 @@ public final class Writer implements AutoCloseable {
   private final Condition roomCondition;
   private final Reactor.Timer lingering;
   private final int largest;
+  private final long linger;
   private boolean hadNoRoom;
   private boolean closed;
   private boolean ended;
@@ -36,6 +33,7 @@ public final class Writer implements AutoCloseable {
     this.listener = listener;
     reactor = environment.reactor;
     largest = environment.options.largestSample();
+    linger = environment.options.linger().toNanos();
     protocol = new StatefulWriter(environment, info.guid().entity(), info.qos(), this::roomChanges);
     roomCondition = reactor.newCondition();
     lingering = reactor.timer("end of a writer", this::end);
@@ -164,7 +162,7 @@ public final class Writer implements AutoCloseable {
 
   /**
    * Takes no more samples, and tells everybody that it is no more: at once if all reliable readers
-   * have what was written, else when they have it, or after a second. Never waits.
+   * have what was written, else when they have it, or after the time for that. Never waits.
    */
   @Override
   public void close() {
@@ -174,7 +172,7 @@ public final class Writer implements AutoCloseable {
       closed = true;
       roomCondition.signalAll();
       if (protocol.isAcknowledged()) end();
-      else lingering.in(LINGERS);
+      else lingering.in(linger);
     } finally {
       reactor.unlock();
     }

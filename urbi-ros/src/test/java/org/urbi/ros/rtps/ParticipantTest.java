@@ -99,7 +99,8 @@ class ParticipantTest {
       Receiving receiving = new Receiving(true);
       Sending sending = new Sending();
       domain.open(new Link(4, 1)).reader("rt/x", TYPE, ALL, NO_DATA, receiving);
-      Participant sender = domain.open(new Link(4, 2));
+      ParticipantOptions patient = domain.options().withLinger(Duration.ofMinutes(1));
+      Participant sender = domain.open(patient, Neighbourhood.prefix(), new Link(4, 2));
       Writer writer = sender.writer("rt/x", TYPE, ALL, NO_DATA, sending);
       sending.awaitMatched();
       for (int i = 0; i < 200; i++) assertEquals(i + 1, writer.write(payload(i, 500)));
