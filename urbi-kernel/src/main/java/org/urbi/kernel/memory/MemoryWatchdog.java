@@ -123,7 +123,8 @@ public final class MemoryWatchdog {
   }
 
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
-    boolean prepared = false;
+    // A small memory may be full before the first look.
+    boolean prepared = HeapUsage.free() < FAR && prepare(heap, worked, users()[0]);
     int looks = 0;
     for (MemoryUser[] known = next(rescue); known.length > 0; known = next(rescue)) {
       long wanted = wanted();
@@ -131,10 +132,7 @@ public final class MemoryWatchdog {
       looks++;
       try {
         if (!prepared && (looks > LOOKS_UNPREPARED || closely || HeapUsage.free() < FAR)) {
-          prepared = true;
-          heap.prepare();
-          worked.prepare();
-          known[0].prepare();
+          prepared = prepare(heap, worked, known[0]);
         }
         if (takeFailure()) {
           rescue.failed(known);
@@ -150,6 +148,29 @@ public final class MemoryWatchdog {
         looked(wanted);
       }
     }
+  }
+
+  /**
+   * Loads what is needed where memory is exhausted; then that would fail, and be no more.
+   *
+   * @return true: it is tried once
+   */
+  private static boolean prepare(HeapUsage heap, WorkTime worked, MemoryUser user) {
+    try {
+      heap.prepare();
+      worked.prepare();
+      user.prepare();
+    } catch (RuntimeException e) {
+      report(e);
+    } catch (Error e) {
+      // What is there of it is of use, and there may be memory again.
+      return true;
+    }
+    return true;
+  }
+
+  private synchronized MemoryUser[] users() {
+    return users;
   }
 
   /** It goes on after a defect, too, even if there is no memory to tell of it. */
