@@ -124,16 +124,20 @@ public final class MemoryWatchdog {
 
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
     // A small memory may be full before the first look.
-    boolean prepared = HeapUsage.free() < FAR && prepare(heap, worked, users()[0]);
+    boolean prepared = HeapUsage.free() < FAR;
+    if (prepared) {
+      prepare(heap, worked, users()[0]);
+    }
     int looks = 0;
     for (MemoryUser[] known = next(rescue); known.length > 0; known = next(rescue)) {
       long wanted = wanted();
       boolean closely = wanted > seen;
       looks++;
+      if (!prepared && (looks > LOOKS_UNPREPARED || closely || HeapUsage.free() < FAR)) {
+        prepared = true;
+        prepare(heap, worked, known[0]);
+      }
       try {
-        if (!prepared && (looks > LOOKS_UNPREPARED || closely || HeapUsage.free() < FAR)) {
-          prepared = prepare(heap, worked, known[0]);
-        }
         if (takeFailure()) {
           rescue.failed(known);
         } else {
@@ -150,12 +154,8 @@ public final class MemoryWatchdog {
     }
   }
 
-  /**
-   * Loads what is needed where memory is exhausted; then that would fail, and be no more.
-   *
-   * @return true: it is tried once
-   */
-  private static boolean prepare(HeapUsage heap, WorkTime worked, MemoryUser user) {
+  /** Loads what is needed where memory is exhausted; then that would fail, and be no more. */
+  private static void prepare(HeapUsage heap, WorkTime worked, MemoryUser user) {
     try {
       heap.prepare();
       worked.prepare();
@@ -164,9 +164,7 @@ public final class MemoryWatchdog {
       report(e);
     } catch (Error e) {
       // What is there of it is of use, and there may be memory again.
-      return true;
     }
-    return true;
   }
 
   private synchronized MemoryUser[] users() {
