@@ -17,7 +17,16 @@ public final class DictionaryKey {
 
   private DictionaryKey() {}
 
-  private record TextKey(String text, UrbiObject value) implements UrbiDictionary.Key {
+  /**
+   * A string. Many that share a hash code, as somebody may choose them, are found by their order.
+   */
+  private record TextKey(String text, UrbiObject value)
+      implements UrbiDictionary.Key, Comparable<TextKey> {
+    @Override
+    public int compareTo(TextKey other) {
+      return text.compareTo(other.text);
+    }
+
     @Override
     public Comparable<?> rank() {
       return text;
@@ -34,7 +43,14 @@ public final class DictionaryKey {
     }
   }
 
-  private record NumberKey(double number, UrbiObject value) implements UrbiDictionary.Key {
+  /** A number, found by its order where many share a hash code. */
+  private record NumberKey(double number, UrbiObject value)
+      implements UrbiDictionary.Key, Comparable<NumberKey> {
+    @Override
+    public int compareTo(NumberKey other) {
+      return Double.compare(number + 0.0, other.number + 0.0);
+    }
+
     @Override
     public Comparable<?> rank() {
       return number;
@@ -47,7 +63,8 @@ public final class DictionaryKey {
 
     @Override
     public int hashCode() {
-      return hash(number);
+      // What is not a number equals nothing, not even itself: it is found nowhere.
+      return Double.isNaN(number) ? System.identityHashCode(value) : hash(number);
     }
   }
 
@@ -82,13 +99,21 @@ public final class DictionaryKey {
     return value instanceof UrbiString || value instanceof UrbiFloat;
   }
 
+  static UrbiDictionary.Key of(UrbiString value) {
+    return new TextKey(value.value(), value);
+  }
+
+  static UrbiDictionary.Key of(UrbiFloat value) {
+    return new NumberKey(value.value(), value);
+  }
+
   /** The key for a value. */
   public static UrbiDictionary.Key of(Frame frame, UrbiObject value) {
     if (value instanceof UrbiString string) {
-      return new TextKey(string.value(), value);
+      return of(string);
     }
     if (value instanceof UrbiFloat number) {
-      return new NumberKey(number.value(), value);
+      return of(number);
     }
     UrbiObject hash = frame.interpreter.send(frame, value, "hash");
     int code =
