@@ -88,4 +88,5 @@ def main(share, folder):
                             vectors.write('%s\t%s\t%s\n' % (own, data.hex(), literal(m)))
 
 
-main(sys.argv[1], sys.argv[2])
+if __name__ == '__main__':
+    main(sys.argv[1], sys.argv[2])
