@@ -27,6 +27,9 @@ public final class RosPeer {
   private static final String TOPIC = "/bench";
   private static final String SERVICE = "/flip";
 
+  /** When this program began. */
+  static final long BEGUN = System.nanoTime();
+
   private final Node node;
 
   private RosPeer(Node node) {

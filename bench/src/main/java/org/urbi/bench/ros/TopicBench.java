@@ -18,7 +18,8 @@ import urbi.UDictionary;
 
 /**
  * What {@code bench/ros2} measures of topics: {@code ping SIZE COUNT} and {@code pong}, {@code send
- * SIZE COUNT RATE} and {@code count COUNT}, {@code many TOPICS RATE SECONDS}, {@code stay SECONDS}.
+ * SIZE COUNT RATE} and {@code count COUNT}, {@code many TOPICS RATE SECONDS}, {@code find}, {@code
+ * stay SECONDS}.
  */
 final class TopicBench {
   private static final String BYTES = "std_msgs/UInt8MultiArray";
@@ -39,6 +40,7 @@ final class TopicBench {
       case "send" -> bench.send(numbers[0], numbers[1], numbers[2]);
       case "count" -> bench.count(numbers[0]);
       case "many" -> bench.many(numbers[0], numbers[1], numbers[2]);
+      case "find" -> bench.find();
       case "stay" -> bench.stay(numbers[0]);
       default -> throw new IllegalArgumentException(arguments[0]);
     }
@@ -154,6 +156,14 @@ final class TopicBench {
       due += 1_000_000_000L / rate;
       waitUntil(due);
     }
+  }
+
+  /** Prints after how many milliseconds it hears somebody who was there before it. */
+  private void find() throws InterruptedException {
+    CountDownLatch heard = new CountDownLatch(1);
+    node.subscribe("/come", type("std_msgs/String"), RELIABLE, message -> heard.countDown());
+    heard.await();
+    say("%.0f".formatted((System.nanoTime() - RosPeer.BEGUN) / 1e6));
   }
 
   /** Hears and speaks while others come and go, and prints what is left of them each minute. */
