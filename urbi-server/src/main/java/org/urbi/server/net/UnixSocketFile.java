@@ -1,20 +1,28 @@
 package org.urbi.server.net;
 
 import static java.nio.file.LinkOption.NOFOLLOW_LINKS;
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.READ;
+import static java.nio.file.StandardOpenOption.WRITE;
 
 import java.io.IOException;
 import java.net.ConnectException;
 import java.net.SocketException;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
@@ -26,6 +34,12 @@ import java.util.Set;
 final class UnixSocketFile implements AutoCloseable {
   private static final Set<PosixFilePermission> MINE_ALONE =
       PosixFilePermissions.fromString("rwx------");
+
+  private static final FileAttribute<?> MINE_TO_WRITE =
+      PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"));
+
+  /** To write alone would wait for a reader, if somebody has put a pipe there. */
+  private static final Set<OpenOption> TO_LOCK = Set.of(CREATE, READ, WRITE, NOFOLLOW_LINKS);
 
   /** The most that Linux takes; macOS takes 104. */
   private static final int MAX_BYTES = 107;
@@ -88,8 +102,7 @@ final class UnixSocketFile implements AutoCloseable {
     try {
       channel.bind(UnixDomainSocketAddress.of(made), backlog);
       Files.setPosixFilePermissions(made, permissions);
-      removeStale(file, folder.resolve("o"));
-      Files.createLink(file, made);
+      place(made, file, folder.resolve("o"));
       return new UnixSocketFile(file, channel);
     } catch (IOException | RuntimeException e) {
       channel.close();
@@ -124,7 +137,64 @@ final class UnixSocketFile implements AutoCloseable {
     }
   }
 
-  /** Somebody else may start at the same time: what has been taken away is looked at again. */
+  /** Of those that start at the same time where nothing is, one wins without a lock. */
+  private static void place(Path made, Path file, Path old) throws IOException {
+    if (Files.exists(file, NOFOLLOW_LINKS)) {
+      replace(made, file, old);
+    } else {
+      Files.createLink(file, made);
+    }
+  }
+
+  /**
+   * One at a time: between the look at a stale socket and its removal somebody else would put a
+   * live one there. The lock goes with the process that has it, however that ends, and a file of it
+   * that is left behind hinders nobody. Who gets the lock of a file that is no more finds the live
+   * socket of the one that has removed it.
+   */
+  private static synchronized void replace(Path made, Path file, Path old) throws IOException {
+    Path beside = file.resolveSibling("." + file.getFileName() + ".urbi-lock");
+    try (FileChannel channel = lockFile(beside)) {
+      if (isLocked(channel)) {
+        throw new IOException("somebody else is just replacing it, and has locked " + beside);
+      }
+      try {
+        refuseUnlessStale(file);
+        removeStale(file, old);
+        Files.createLink(file, made);
+      } finally {
+        Files.deleteIfExists(beside);
+      }
+    }
+  }
+
+  private static FileChannel lockFile(Path beside) throws IOException {
+    try {
+      return FileChannel.open(beside, TO_LOCK, MINE_TO_WRITE);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      // That there is a symbolic link in its place is told without its name.
+      throw new IOException(beside + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Whether somebody else has the lock; if not, it is taken, until the channel is closed. */
+  private static boolean isLocked(FileChannel channel) throws IOException {
+    try {
+      return channel.tryLock() == null;
+    } catch (OverlappingFileLockException e) {
+      return true;
+    } catch (IOException e) {
+      throw new IOException(
+          "it is there, and nobody can be kept from replacing it too ("
+              + e.getMessage()
+              + "): remove it if no server listens there",
+          e);
+    }
+  }
+
+  /** Whoever does not know of the lock may start, too: what was taken away is looked at again. */
   private static void removeStale(Path file, Path old) throws IOException {
     try {
       Files.move(file, old);

@@ -3,6 +3,7 @@ package org.urbi.server.net;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -19,11 +20,13 @@ import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
@@ -227,7 +230,7 @@ class UnixSocketTest {
             winners.add(each.get());
           }
         }
-        assertTrue(winners.size() <= 1, winners.size() + " servers have the socket");
+        assertEquals(1, winners.size(), "so many servers have the socket");
         for (UnixSocketFile winner : winners) {
           plain().close();
           winner.close();
@@ -235,6 +238,35 @@ class UnixSocketTest {
         }
       }
     }
+  }
+
+  /** The other one has looked at it, and is about to remove it and to put its own there. */
+  @Test
+  void whatSomebodyElseIsJustReplacingIsLeftAlone() throws IOException {
+    bound(1).close();
+    Object stale = Files.getAttribute(file, "unix:ino");
+    Path lock = folder.resolve(".console.urbi-lock");
+    try (FileChannel other =
+        FileChannel.open(lock, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+      assertNotNull(other.tryLock());
+      assertTrue(refusal().endsWith("somebody else is just replacing it, and has locked " + lock));
+      assertEquals(stale, Files.getAttribute(file, "unix:ino"));
+      assertEquals(Set.of(lock, file), Set.copyOf(files()));
+    }
+    // It has been killed, and its lock has gone with it.
+    listen();
+    assertServes();
+    assertEquals(List.of(file), files());
+  }
+
+  @Test
+  void theLockIsNoWayToAnotherFile() throws IOException {
+    bound(1).close();
+    Path precious = Files.writeString(folder.resolve("precious"), "mine");
+    Path lock = Files.createSymbolicLink(folder.resolve(".console.urbi-lock"), precious);
+    assertTrue(refusal().contains(lock.toString()), refusal());
+    assertEquals("mine", Files.readString(precious));
+    assertEquals(Set.of(precious, lock, file), Set.copyOf(files()));
   }
 
   @Test
