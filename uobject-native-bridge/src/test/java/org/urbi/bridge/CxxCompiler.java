@@ -16,6 +16,10 @@ import java.util.stream.Stream;
 /** Compiles C++ code for tests, by umake, or as the manual says to do it by hand. */
 final class CxxCompiler {
   static final Path HEADERS = Path.of("src", "main", "native", "include").toAbsolutePath();
+
+  /** Has the options by which all tests that use umake compile, so that they share what is made. */
+  private static final Path FLAGS = Path.of("src", "test", "native", "cxxflags").toAbsolutePath();
+
   private static final Path UMAKE =
       Path.of("..", "bin", "umake-shared").toAbsolutePath().normalize();
   static final Path MADE = Path.of("target", "cxx").toAbsolutePath();
@@ -98,7 +102,7 @@ final class CxxCompiler {
               List.of(
                   UMAKE.toString(),
                   "-q",
-                  "EXTRA_CXXFLAGS=-O0 -g1 -Wall -Wextra -Werror",
+                  "EXTRA_CXXFLAGS=" + Files.readString(FLAGS).strip(),
                   source.toString(),
                   "-o",
                   library.toString()));

@@ -25,6 +25,10 @@ final class CxxModules {
   /** Modules and dialogues for tests alone. */
   static final Path OWN = Path.of("src", "test", "native").toAbsolutePath();
 
+  /** Has the options by which all tests that use umake compile, so that they share what is made. */
+  private static final Path FLAGS =
+      ROOT.resolve("uobject-native-bridge").resolve("src/test/native/cxxflags");
+
   private static final Path MADE = ROOT.resolve(".build").resolve("cxx");
 
   private final Map<String, Path> made = new ConcurrentHashMap<>();
@@ -91,7 +95,7 @@ final class CxxModules {
     assumeTools("g++", "make");
     List<String> words = new ArrayList<>(List.of(ROOT.resolve("bin").resolve(tool).toString()));
     words.addAll(List.of(options));
-    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=-O0 -g1 -Wall -Wextra -Werror"));
+    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=" + Files.readString(FLAGS).strip()));
     words.addAll(List.of(sources.toString(), "-o", made.toString()));
     assertEquals("umake: running to build " + kind + ".\n", output(words.toArray(String[]::new)));
   }
