@@ -139,6 +139,7 @@ public final class UCast {
    *
    * @throws UCastException if it is not one
    */
+  // What toClass returns is of that class, boxed where T is the wrapper of a primitive type.
   @SuppressWarnings("unchecked")
   public static <T> @Nullable T to(UValue value, Class<T> type) {
     return (T) toClass(value, type);

@@ -502,6 +502,7 @@ public abstract non-sealed class UObject extends UObjectBase {
    * comes by. Programs of Urbi 2.7 override it; {@link AutoCloseable} is for others.
    */
   @Override
+  // Deprecated in Java, part of the interface of 2.7.
   @SuppressWarnings("removal")
   protected void finalize() {}
 

@@ -34,6 +34,7 @@ final class HandleTable<T> {
   }
 
   /** The thing of that number, or null. */
+  // Only values of T come in.
   @SuppressWarnings("unchecked")
   @Nullable T find(long number) {
     Object[] present = all;
@@ -51,6 +52,7 @@ final class HandleTable<T> {
   }
 
   /** All there are. */
+  // Only values of T come in.
   @SuppressWarnings("unchecked")
   synchronized List<T> all() {
     List<T> things = new ArrayList<>();

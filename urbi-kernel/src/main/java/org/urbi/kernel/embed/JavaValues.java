@@ -72,6 +72,7 @@ public final class JavaValues {
    *
    * @throws ClassCastException if it cannot be one
    */
+  // What is converted to a class is of it, or null; primitive types come as their wrappers.
   @SuppressWarnings("unchecked")
   public static <T> @Nullable T as(@Nullable Object value, Class<T> type) {
     return (T) converted(value, type);

@@ -21,6 +21,7 @@ public final class JobLocal<T> {
   }
 
   /** The value in a job; null when none was set. */
+  // Only set puts values of this key in, and they are of type T.
   @SuppressWarnings("unchecked")
   public @Nullable T get(Job job) {
     Entry entry = find(job);

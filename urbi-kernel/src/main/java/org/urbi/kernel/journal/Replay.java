@@ -148,6 +148,7 @@ public final class Replay implements Journal {
   }
 
   @Override
+  // The outcome was recorded at the same query, of the same type.
   @SuppressWarnings("unchecked")
   public <T> @Nullable T query(Outcome.Work<T> unused) throws IOException {
     if (ranOut()) {

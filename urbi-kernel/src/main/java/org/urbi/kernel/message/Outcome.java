@@ -33,6 +33,7 @@ public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
    * @throws IOException if the work threw one, or a checked exception or error that is wrapped in
    *     one: memory that was not enough for the work must not end anything else
    */
+  // Who asks knows what the work was.
   @SuppressWarnings("unchecked")
   public <T> @Nullable T get() throws IOException {
     if (failure == null) {

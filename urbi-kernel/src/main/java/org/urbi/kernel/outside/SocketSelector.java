@@ -97,6 +97,7 @@ public final class SocketSelector<T> implements KernelPoller.Wait, AutoCloseable
   }
 
   /** Adds the owners of the sockets that were readable at the last wait or poll. */
+  // What is attached to each key is its owner.
   @SuppressWarnings("unchecked")
   public void ready(Collection<T> owners) {
     for (SelectionKey key : selector.selectedKeys()) {

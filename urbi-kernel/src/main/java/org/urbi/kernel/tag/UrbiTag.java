@@ -16,8 +16,8 @@ public class UrbiTag extends UrbiObject {
   private @Nullable UrbiEvent enter;
   private @Nullable UrbiEvent leave;
 
-  @SuppressWarnings(
-      "this-escape") // The state refers to this tag, so that it can be found from a scope.
+  // The state refers to this tag, so that it can be found from a scope.
+  @SuppressWarnings("this-escape")
   public UrbiTag(Shape shape) {
     super(shape);
     this.state = new TagState(this);

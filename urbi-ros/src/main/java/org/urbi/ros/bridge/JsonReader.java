@@ -36,6 +36,7 @@ final class JsonReader {
   }
 
   /** All keys of what is read are strings. */
+  // The reader makes no other maps.
   @SuppressWarnings("unchecked")
   static Map<String, @Nullable Object> map(Object value) {
     return (Map<String, @Nullable Object>) value;

@@ -54,6 +54,7 @@ public sealed class UrbiFinalizable extends UrbiObject {
      * cleaners do not.
      */
     @Override
+    // See above: what takes its place in Java does not do this.
     @SuppressWarnings({"deprecation", "removal", "Finalize"})
     protected void finalize() {
       finalization().reclaimed(this);
