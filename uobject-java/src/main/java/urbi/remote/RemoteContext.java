@@ -286,6 +286,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     } catch (UClientException e) {
       // The connection is lost, and whoever wants to know is told by that.
     } catch (Throwable e) {
+      failureLog.log("a task of the remote process", e);
       complain("exception caught: " + Failure.text(e));
     } finally {
       UContext.enter(before);

@@ -11,6 +11,7 @@ import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler.Han
 import io.netty.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.urbi.web.StreamFailure;
 
 /** One WebSocket connection. After the handshake it becomes a viewer, who may give orders. */
 final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
@@ -105,7 +106,6 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    // A broken connection or a malformed message: the others are not concerned.
-    context.close();
+    StreamFailure.close(context, cause, "the page of a simulated world");
   }
 }

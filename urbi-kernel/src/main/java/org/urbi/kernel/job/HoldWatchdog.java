@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.journal.StopReason;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -70,6 +71,8 @@ public final class HoldWatchdog {
    * Whether the component that it was executing then, or began to execute since, was interrupted.
    */
   private boolean interrupted;
+
+  private boolean failed;
 
   /** The processor time of the kernel thread when half of the limit was over. */
   private long processorTimeAtHalf = UNKNOWN;
@@ -218,14 +221,23 @@ public final class HoldWatchdog {
     while (!scheduler.isOver()) {
       try {
         check();
-      } catch (Error e) {
-        // There may be no memory to tell anybody. Without this thread no job would end any more.
+      } catch (RuntimeException | Error e) {
+        // Without this thread no job would end any more.
+        failed(e);
       }
       try {
         TimeUnit.NANOSECONDS.sleep(hurried ? Math.max(SHORTEST_PAUSE, pause / HURRY) : pause);
       } catch (InterruptedException e) {
         return;
       }
+    }
+  }
+
+  /** Logs the first failure, unless there is no memory to tell anybody. */
+  private void failed(Throwable failure) {
+    if (!failed && !(failure instanceof VirtualMachineError)) {
+      failed = true;
+      FailureLog.internal("the watch for jobs that hold the kernel", failure);
     }
   }
 

@@ -238,7 +238,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     } catch (RuntimeException e) {
       // Invalid input of a process must not affect anybody else.
       broken = true;
-      wire.close("the remote process does not keep to the protocol: " + e.getMessage());
+      wire.close(InputFailure.text(e));
     }
   }
 

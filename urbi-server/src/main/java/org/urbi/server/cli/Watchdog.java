@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -27,6 +28,7 @@ final class Watchdog {
   private volatile long terminating;
   private volatile boolean over;
   private boolean told;
+  private boolean failed;
 
   /**
    * @param clock real time
@@ -73,10 +75,19 @@ final class Watchdog {
         check();
       } catch (InterruptedException e) {
         return;
-      } catch (VirtualMachineError | LinkageError e) {
-        // There is so little memory that not even a class can be loaded; the kernel sees to that.
-        continue;
+      } catch (RuntimeException | VirtualMachineError | LinkageError e) {
+        // Perhaps there is so little memory that not even a class can be loaded; the kernel sees to
+        // that.
+        failed(e);
       }
+    }
+  }
+
+  /** Logs the first failure, unless there is no memory to tell anybody. */
+  private void failed(Throwable failure) {
+    if (!failed && !(failure instanceof VirtualMachineError)) {
+      failed = true;
+      FailureLog.internal("the watchdog", failure);
     }
   }
 

@@ -15,6 +15,7 @@ import java.util.function.BiFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.outside.SocketSelector;
+import org.urbi.kernel.remote.InputFailure;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.server.Trace;
@@ -122,7 +123,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
 
   private void broken(RuntimeException e) {
     over = true;
-    close("the remote process does not keep to the protocol: " + e.getMessage());
+    close(InputFailure.text(e));
   }
 
   private void read(ByteBuf in) {

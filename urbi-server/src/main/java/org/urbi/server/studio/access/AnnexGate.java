@@ -8,6 +8,7 @@ import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler.Han
 import io.netty.util.ReferenceCountUtil;
 import org.urbi.kernel.trust.Role;
 import org.urbi.web.Annex;
+import org.urbi.web.StreamFailure;
 
 /** Lets a browser in to the stream of a component's page by its token, and then gives way to it. */
 public final class AnnexGate extends ChannelInboundHandlerAdapter {
@@ -52,7 +53,6 @@ public final class AnnexGate extends ChannelInboundHandlerAdapter {
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    // A broken connection, or a message that is too long: the others are not concerned.
-    context.close();
+    StreamFailure.close(context, cause, "a page in the studio");
   }
 }

@@ -12,6 +12,7 @@ import io.netty.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
+import org.urbi.web.StreamFailure;
 
 /** The stream of somebody who must be let in, and may not ask for too much at a time. */
 public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
@@ -95,7 +96,6 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    // A broken connection, or a message that is too long: the others are not concerned.
-    context.close();
+    StreamFailure.close(context, cause, "the studio");
   }
 }

@@ -1,0 +1,45 @@
+package org.urbi.web;
+
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.handler.codec.DecoderException;
+import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
+import io.netty.handler.codec.http.websocketx.WebSocketHandshakeException;
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+
+/** The end of a stream of messages at which something was thrown. */
+public final class StreamFailure {
+  private static final String LOGGER = "urbi.web";
+
+  private StreamFailure() {}
+
+  /**
+   * Closes the connection; the others are not concerned. Connections break, and peers send what is
+   * malformed or too long: that is nothing to tell. Anything else is a defect of ours: it goes to
+   * the log of the process with its stack, and the other end is told "internal error".
+   *
+   * @param doing what failed, for the log
+   */
+  public static void close(ChannelHandlerContext context, Throwable cause, String doing) {
+    if (isOfTheOtherEnd(cause)) {
+      context.close();
+      return;
+    }
+    try {
+      System.getLogger(LOGGER).log(Level.ERROR, "internal error in " + doing, cause);
+    } finally {
+      context
+          .writeAndFlush(
+              new CloseWebSocketFrame(WebSocketCloseStatus.INTERNAL_SERVER_ERROR, "internal error"))
+          .addListener(ChannelFutureListener.CLOSE);
+    }
+  }
+
+  private static boolean isOfTheOtherEnd(Throwable cause) {
+    return cause instanceof IOException
+        || cause instanceof DecoderException
+        || cause instanceof WebSocketHandshakeException;
+  }
+}
