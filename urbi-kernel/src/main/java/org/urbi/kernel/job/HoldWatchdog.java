@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.journal.StopReason;
-import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.log.WatchFailure;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -72,7 +72,7 @@ public final class HoldWatchdog {
    */
   private boolean interrupted;
 
-  private boolean failed;
+  private final WatchFailure failure = new WatchFailure("the watch for jobs that hold the kernel");
 
   /** The processor time of the kernel thread when half of the limit was over. */
   private long processorTimeAtHalf = UNKNOWN;
@@ -223,21 +223,13 @@ public final class HoldWatchdog {
         check();
       } catch (RuntimeException | Error e) {
         // Without this thread no job would end any more.
-        failed(e);
+        failure.met(e);
       }
       try {
         TimeUnit.NANOSECONDS.sleep(hurried ? Math.max(SHORTEST_PAUSE, pause / HURRY) : pause);
       } catch (InterruptedException e) {
         return;
       }
-    }
-  }
-
-  /** Logs the first failure, unless there is no memory to tell anybody. */
-  private void failed(Throwable failure) {
-    if (!failed && !(failure instanceof VirtualMachineError)) {
-      failed = true;
-      FailureLog.internal("the watch for jobs that hold the kernel", failure);
     }
   }
 

@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.Kernel;
-import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.log.WatchFailure;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -28,7 +28,7 @@ final class Watchdog {
   private volatile long terminating;
   private volatile boolean over;
   private boolean told;
-  private boolean failed;
+  private final WatchFailure failure = new WatchFailure("the watchdog");
 
   /**
    * @param clock real time
@@ -78,16 +78,8 @@ final class Watchdog {
       } catch (RuntimeException | VirtualMachineError | LinkageError e) {
         // Perhaps there is so little memory that not even a class can be loaded; the kernel sees to
         // that.
-        failed(e);
+        failure.met(e);
       }
-    }
-  }
-
-  /** Logs the first failure, unless there is no memory to tell anybody. */
-  private void failed(Throwable failure) {
-    if (!failed && !(failure instanceof VirtualMachineError)) {
-      failed = true;
-      FailureLog.internal("the watchdog", failure);
     }
   }
 
