@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes a start-up cache of a distribution: a rehearsal whose loaded classes the JDK writes beside the
 # jars (their profiles would only make the compilers busy at start-up).
-#   warm-up.sh ROOT DIST JAVA [LOG]       urbi.aot, for short programs; called by ./build and ./package
+#   warm-up.sh ROOT DIST JAVA [LOG]       urbi.aot, for short programs; called by ./build and scripts/packages
 #   warm-up.sh ROOT DIST JAVA LOG FOLDER  server.aot, for servers and programs connected to them; for ./check
 set -eu
 root=$1 dist=$2 java=$3

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# check.sh: installs what ./package has made, each into a root folder that has a shell and a libc and nothing else,
+# check.sh: installs what scripts/packages has made, each into a root folder that has a shell and a libc and nothing else,
 # in a path with spaces and letters that are not ASCII where that can be chosen; runs a script and a component in
 # Java and in C++ there, as a user who is not root; and removes it. Called by ./check --packages, as root.
 set -Eeuo pipefail

@@ -1,4 +1,4 @@
-# Sourced by ./package: a container image as an archive in the form of OCI, for `podman load`, `docker load`,
+# Sourced by scripts/packages: a container image as an archive in the form of OCI, for `podman load`, `docker load`,
 # `skopeo copy oci-archive:…`. It is made from scratch, of the package and the libc and shell of this machine: no
 # image of others is fetched, and what is in it can be counted.
 say "making a container image…"

@@ -1,4 +1,4 @@
-# Sourced by ./package: urbi and urbi-opencv for Debian, Ubuntu and their kin. The whole is in /usr/lib/urbi,
+# Sourced by scripts/packages: urbi and urbi-opencv for Debian, Ubuntu and their kin. The whole is in /usr/lib/urbi,
 # with links to it from where programs, manuals and other tools look for such things.
 command -v dpkg-deb >/dev/null || { say "no dpkg-deb: apt-get install dpkg"; exit 1; }
 

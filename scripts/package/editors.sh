@@ -1,4 +1,4 @@
-# Sourced by ./package: the extension for VS Code. What is for Emacs is in the folder of the programs.
+# Sourced by scripts/packages: the extension for VS Code. What is for Emacs is in the folder of the programs.
 command -v npm >/dev/null || { say "no npm, which packs the extension for VS Code: apt-get install npm"; exit 1; }
 say "packing the extension for VS Code…"
 extension=$made/work/vscode

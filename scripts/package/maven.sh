@@ -1,4 +1,4 @@
-# Sourced by ./package: a repository of Maven in a folder, with the libraries, their sources and Javadoc, a bill of
+# Sourced by scripts/packages: a repository of Maven in a folder, with the libraries, their sources and Javadoc, a bill of
 # materials (urbi-bom) and the archetype of a component in Java.
 say "making artifacts for Maven, this takes minutes…"
 repository=$made/maven-repository

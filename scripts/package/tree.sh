@@ -1,4 +1,4 @@
-# Sourced by ./package: the folder that every package of programs contains. It needs nothing but a libc and a
+# Sourced by scripts/packages: the folder that every package of programs contains. It needs nothing but a libc and a
 # shell, and may be moved: all that it has of its own place is found from where the launcher is.
 
 # The modules of the JDK that the jars, umake-java (jdk.compiler) and components may use.
