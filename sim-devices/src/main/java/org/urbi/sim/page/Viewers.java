@@ -46,9 +46,11 @@ final class Viewers {
     viewers = new DefaultChannelGroup(thread);
   }
 
-  /** Asks for a moment now and then, as long as somebody looks. */
+  /**
+   * Asks for a moment now and then, as long as somebody looks; what was missed is not made up for.
+   */
   void start() {
-    thread.scheduleAtFixedRate(
+    thread.scheduleWithFixedDelay(
         () -> waiting.set(!viewers.isEmpty()), 0, 1000 / RATE, TimeUnit.MILLISECONDS);
   }
 

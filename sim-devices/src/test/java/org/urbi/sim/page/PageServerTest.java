@@ -257,11 +257,7 @@ class PageServerTest {
     assertEquals(1, server.viewers());
     world.drive("elbow").setTarget(0.5);
     world.step();
-    long before = System.nanoTime();
     server.show(moment(1, JPEG));
-    assertTrue(
-        !server.isWaiting() || System.nanoTime() - before > 1_000_000_000 / 31,
-        "it has just been shown something");
     String shown = (String) first.next();
     assertTrue(shown.startsWith("{\"type\":\"moment\",\"time\":0.001,"), shown);
     assertTrue(shown.contains(",0.5]],\"eyes\":[[0,0,3,"), shown);
