@@ -8,8 +8,11 @@ from std_srvs.srv import SetBool, SetBoolResponse, Trigger, TriggerResponse
 
 rospy.init_node('peer', disable_signals=True)
 chatter = rospy.Publisher('/chatter', String, queue_size=10)
-echo = rospy.Publisher('/echo_out', String, queue_size=100)
-sizes = rospy.Publisher('/image_size', UInt32, queue_size=100)
+# Latched, so that who subscribes knows from the first message when it is in the list of those who are sent the next.
+echo = rospy.Publisher('/echo_out', String, queue_size=100, latch=True)
+echo.publish(String('ready'))
+sizes = rospy.Publisher('/image_size', UInt32, queue_size=100, latch=True)
+sizes.publish(UInt32(0))
 latched = rospy.Publisher('/latched', String, queue_size=1, latch=True)
 latched.publish(String('kept'))
 rospy.Subscriber('/echo_in', String, echo.publish)
