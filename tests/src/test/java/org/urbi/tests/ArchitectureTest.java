@@ -9,7 +9,9 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static java.util.Map.entry;
 
 import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.AccessTarget;
 import com.tngtech.archunit.core.domain.AccessTarget.CodeUnitCallTarget;
+import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -293,7 +295,7 @@ class ArchitectureTest {
               "org.urbi.bench..",
               "urbi.time")
           .should()
-          .callCodeUnitWhere(are(callsOf("a clock", CLOCKS)));
+          .accessTargetWhere(are(callsOf("a clock", CLOCKS)));
 
   @ArchTest
   static final ArchRule onlyTheRandomPackageDrawsNumbers =
@@ -310,7 +312,7 @@ class ArchitectureTest {
           .and()
           .haveNameNotMatching("urbi\\.remote\\.RemoteDatagrams(\\$.*)?")
           .should()
-          .callCodeUnitWhere(are(callsOf("a source of random numbers", DICE)));
+          .accessTargetWhere(are(callsOf("a source of random numbers", DICE)));
 
   /** Files, processes and connections: what a kernel may be kept away from. */
   private static final DescribedPredicate<JavaClass> MACHINE =
@@ -360,7 +362,31 @@ class ArchitectureTest {
           .should()
           .dependOnClassesThat(MACHINE)
           .orShould()
-          .callCodeUnitWhere(are(callsOf("the machine", MACHINE_CALLS)));
+          .accessTargetWhere(are(callsOf("the machine", MACHINE_CALLS)));
+
+  private static final Map<String, Set<String>> SETTINGS =
+      Map.of(
+          "java.lang.System", Set.of("getProperty", "getProperties", "getenv"),
+          "java.lang.Integer", Set.of("getInteger"),
+          "java.lang.Long", Set.of("getLong"),
+          "java.lang.Boolean", Set.of("getBoolean"));
+
+  /** On another machine they are others: what urbiscript sees of them passes the journal. */
+  @ArchTest
+  static final ArchRule onlyTheOutsidePackageReadsSettings =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi.kernel..")
+          .and()
+          .resideOutsideOfPackage("org.urbi.kernel.outside..")
+          .and()
+          // Before there is a journal, of the level of the log; a recording begins with it.
+          .doNotHaveFullyQualifiedName("org.urbi.kernel.KernelBuilder")
+          .and()
+          // Compiled code or not makes no difference to a run.
+          .doNotHaveFullyQualifiedName("org.urbi.kernel.TierSetting")
+          .should()
+          .accessTargetWhere(are(callsOf("settings of the machine", SETTINGS)));
 
   /** Calls that take whatever character set the machine happens to have. */
   private static final Map<String, List<List<String>>> DEFAULT_CHARSETS =
@@ -488,12 +514,13 @@ class ArchitectureTest {
                 }
               });
 
-  private static DescribedPredicate<JavaCall<?>> callsOf(
+  /** Calls, and references to methods that somebody else calls. */
+  private static DescribedPredicate<JavaAccess<?>> callsOf(
       String what, Map<String, Set<String>> forbidden) {
     return new DescribedPredicate<>("calls of " + what) {
       @Override
-      public boolean test(JavaCall<?> call) {
-        CodeUnitCallTarget target = call.getTarget();
+      public boolean test(JavaAccess<?> access) {
+        AccessTarget target = access.getTarget();
         return forbidden
             .getOrDefault(target.getOwner().getName(), Set.of())
             .contains(target.getName());

@@ -1,13 +1,8 @@
 package org.urbi.kernel;
 
-import static java.util.Objects.requireNonNull;
-
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -152,7 +147,7 @@ public final class Kernel implements AutoCloseable {
     Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     return LibraryTables.all(
         new CommandLine(builder.programName, builder.arguments),
-        new Environment(environmentAtStart()),
+        new Environment(Outside.environmentAtStart(journal)),
         new FileAccess(outside),
         builder.services,
         log,
@@ -165,14 +160,6 @@ public final class Kernel implements AutoCloseable {
         stackFrames,
         new Topics(builder.topics),
         new WorkingDirectory(outside, builder.confinement.workingDirectory()));
-  }
-
-  private Map<String, String> environmentAtStart() {
-    try {
-      return requireNonNull(journal.query(System::getenv), "every machine has one");
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   /** Starts to run. */

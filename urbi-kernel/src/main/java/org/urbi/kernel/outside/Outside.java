@@ -4,10 +4,12 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.concurrent.Callable;
@@ -22,6 +24,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Wait;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.trust.Role;
@@ -243,6 +246,26 @@ public final class Outside implements Closeable {
     }
     answer.abandon();
     return open(() -> requireNonNull(early.get(), "it was there").get());
+  }
+
+  /**
+   * The variables of the environment, of a kernel that is being made: it has no kernel thread yet.
+   */
+  public static Map<String, String> environmentAtStart(Journal journal) {
+    try {
+      return requireNonNull(journal.query(System::getenv), "every machine has one");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** A property of the Java machine, such as {@code os.name}; empty if it has none. */
+  public String property(String name) {
+    try {
+      return query(() -> System.getProperty(name, ""));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** How much memory the kernel can have, in bytes. */

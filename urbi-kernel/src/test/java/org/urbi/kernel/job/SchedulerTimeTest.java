@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -323,7 +324,7 @@ class SchedulerTimeTest {
     assertFalse(recorded.scheduler.attempt(() -> false));
     assertEquals(List.of(17L, true, false), looks);
     assertThrows(
-        IllegalStateException.class,
+        UncheckedIOException.class,
         () ->
             recorded.scheduler.attempt(() -> {
               throw new IllegalArgumentException();

@@ -8,13 +8,18 @@ import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.Outside;
 
 /** The texts of a lobby about this software (manual, "Lobby": {@code banner}, {@code authors}…). */
 @UrbiTypePart(value = "Lobby", needs = Permission.NOTHING)
 final class LobbyCredits {
   private static final String STARS = "********************************************************";
 
-  private LobbyCredits() {}
+  private final Outside outside;
+
+  LobbyCredits(Outside outside) {
+    this.outside = outside;
+  }
 
   private static void say(Frame frame, UrbiObject self, String... lines) {
     for (String line : lines) {
@@ -63,7 +68,7 @@ final class LobbyCredits {
   }
 
   @Builtin(doc = "Tells the version and who holds the rights, of the parts as well if deep.")
-  static void copyright(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject deep) {
+  void copyright(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject deep) {
     String version = version(frame);
     say(
         frame,
@@ -75,8 +80,8 @@ final class LobbyCredits {
           frame,
           self,
           "",
-          "Java version " + System.getProperty("java.version"),
-          "Provided by " + System.getProperty("java.vendor") + ".");
+          "Java version " + outside.property("java.version"),
+          "Provided by " + outside.property("java.vendor") + ".");
     }
   }
 
@@ -91,7 +96,7 @@ final class LobbyCredits {
   }
 
   @Builtin(doc = "Greets.")
-  static void banner(Frame frame, UrbiObject self) {
+  void banner(Frame frame, UrbiObject self) {
     say(frame, self, STARS);
     copyright(frame, self, self.world().values().falseObject);
     say(

@@ -5,6 +5,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.Outside;
 
 /** The machine on which the server runs (manual, "System.Platform"). */
 @UrbiType(
@@ -12,18 +13,22 @@ import org.urbi.kernel.object.UrbiObject;
     doc = "The machine on which the server runs.",
     needs = Permission.NOTHING)
 final class PlatformType {
-  private PlatformType() {}
+  private final Outside outside;
 
-  private static String os() {
-    return System.getProperty("os.name").toLowerCase(Locale.ROOT);
+  PlatformType(Outside outside) {
+    this.outside = outside;
   }
 
-  private static boolean isMac() {
+  private String os() {
+    return outside.property("os.name").toLowerCase(Locale.ROOT);
+  }
+
+  private boolean isMac() {
     return os().startsWith("mac");
   }
 
   @Builtin(doc = "The type of the machine: CPU, vendor, system.")
-  static String host(UrbiObject self) {
+  String host(UrbiObject self) {
     return hostCpu(self) + "-" + hostVendor(self) + "-" + hostOs(self);
   }
 
@@ -33,8 +38,8 @@ final class PlatformType {
   }
 
   @Builtin(doc = "The type of its CPU.")
-  static String hostCpu(UrbiObject self) {
-    String arch = System.getProperty("os.arch");
+  String hostCpu(UrbiObject self) {
+    String arch = outside.property("os.arch");
     return switch (arch) {
       case "amd64" -> "x86_64";
       case "x86" -> "i386";
@@ -43,27 +48,27 @@ final class PlatformType {
   }
 
   @Builtin(doc = "The type of its operating system.")
-  static String hostOs(UrbiObject self) {
+  String hostOs(UrbiObject self) {
     if (isWindows(self)) {
       return "mingw32";
     }
     return isMac()
-        ? "darwin" + System.getProperty("os.version")
+        ? "darwin" + outside.property("os.version")
         : os().equals("linux") ? "linux-gnu" : os().replace(" ", "");
   }
 
   @Builtin(doc = "The vendor of the machine: apple, pc or unknown.")
-  static String hostVendor(UrbiObject self) {
+  String hostVendor(UrbiObject self) {
     return isMac() ? "apple" : isWindows(self) ? "pc" : "unknown";
   }
 
   @Builtin(doc = "Whether it is Windows.")
-  static boolean isWindows(UrbiObject self) {
+  boolean isWindows(UrbiObject self) {
     return os().startsWith("windows");
   }
 
   @Builtin(doc = "WIN32 under Windows, otherwise POSIX.")
-  static String kind(UrbiObject self) {
+  String kind(UrbiObject self) {
     return isWindows(self) ? "WIN32" : "POSIX";
   }
 
