@@ -12,9 +12,11 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -198,16 +200,137 @@ class RecordedRunTest {
 
   /** The recording with other entries. */
   private Path changed(UnaryOperator<Entry> change) throws IOException {
-    Path other = folder.resolve("changed");
-    try (RecordingReader in = new RecordingReader(Files.newInputStream(recording));
-        RecordingWriter out =
-            new RecordingWriter("changed", Files.newOutputStream(other), trouble -> {})) {
+    return written(entries().stream().map(change).toList());
+  }
+
+  /** The recording with that change. */
+  private Path changed(Change change) throws IOException {
+    List<Entry> entries = entries();
+    boolean found = false;
+    int at = 0;
+    while (!isOutput(entries.get(at), change.before)) {
+      at++;
+    }
+    while (!found) {
+      assertTrue(--at >= 0, change.source + " before " + change.before);
+      Entry recorded = entries.get(at);
+      entries.set(at, change.made.apply(recorded));
+      found = !entries.get(at).equals(recorded);
+    }
+    return written(entries);
+  }
+
+  private static boolean isOutput(Entry entry, String text) {
+    return entry instanceof Entry.BytesSent sent
+        && new String(sent.head(), StandardCharsets.ISO_8859_1).contains(text);
+  }
+
+  private List<Entry> entries() throws IOException {
+    List<Entry> entries = new ArrayList<>();
+    try (RecordingReader in = new RecordingReader(Files.newInputStream(recording))) {
       for (Entry entry = in.next(); entry != null; entry = in.next()) {
-        out.write(change.apply(entry));
+        entries.add(entry);
       }
+    }
+    return entries;
+  }
+
+  private Path written(List<Entry> entries) throws IOException {
+    Path other = folder.resolve("changed");
+    try (RecordingWriter out =
+        new RecordingWriter("changed", Files.newOutputStream(other), trouble -> {})) {
+      entries.forEach(out::write);
     }
     return other;
   }
+
+  /**
+   * One entry that is another one: the last of its kind before some output.
+   *
+   * @param source where it is from
+   * @param made the other entry; the same for entries that are not meant
+   * @param shown what the run shows that was not recorded
+   */
+  private record Change(String source, String before, UnaryOperator<Entry> made, String shown) {
+    /** A message that is another one. */
+    static <M extends Message> Change ofMessage(
+        Class<M> kind, String before, UnaryOperator<M> made, String shown) {
+      return new Change(
+          kind.getSimpleName(),
+          before,
+          entry ->
+              entry instanceof Entry.MessageTaken(Message message) && kind.isInstance(message)
+                  ? new Entry.MessageTaken(made.apply(kind.cast(message)))
+                  : entry,
+          shown);
+    }
+
+    /** An answer of the machine that is another one. */
+    static <T> Change ofQuery(
+        String source, Class<T> kind, String before, UnaryOperator<T> made, String shown) {
+      return new Change(
+          source,
+          before,
+          entry ->
+              entry instanceof Entry.QueryAnswered(Outcome(var value, var failure))
+                      && kind.isInstance(value)
+                  ? new Entry.QueryAnswered(new Outcome(made.apply(kind.cast(value)), failure))
+                  : entry,
+          shown);
+    }
+  }
+
+  private static final long HOUR = 3_600_000_000_000L;
+
+  private static final List<Change> CHANGES =
+      List.of(
+          Change.ofMessage(
+              Message.ConsoleBytes.class,
+              "*** 42",
+              sent -> new Message.ConsoleBytes(sent.to(), sent.bytes().replace("40 +", "41 +")),
+              "*** 43"),
+          Change.ofMessage(
+              Message.RemoteFrame.class,
+              "sum: 20",
+              frame ->
+                  new Message.RemoteFrame(
+                      frame.to(),
+                      ByteBuffer.wrap(frame.frame().clone())
+                          .putDouble(frame.frame().length - Double.BYTES, 777)
+                          .array()),
+              ": 777"),
+          Change.ofMessage(
+              Message.Answer.class,
+              "process: ",
+              answer ->
+                  new Message.Answer(answer.to(), new Outcome(null, new IOException("no shell"))),
+              "no shell"),
+          Change.ofMessage(
+              Message.BytesArrived.class,
+              "process: ",
+              line ->
+                  new Message.BytesArrived(
+                      line.to(), "from Mars\n".getBytes(StandardCharsets.US_ASCII)),
+              "from Mars"),
+          Change.ofMessage(
+              Message.ProcessEnded.class,
+              "status: ",
+              ended -> new Message.ProcessEnded(ended.to(), 4),
+              "with status 4"),
+          new Change(
+              "the clock of a tick",
+              "sum: 20",
+              entry -> entry instanceof Entry.Tick(long now) ? new Entry.Tick(now + HOUR) : entry,
+              ", at 36"),
+          // That of a period, perhaps, which is another one then; what is less is no time.
+          Change.ofQuery(
+              "the clock", Long.class, "time: ", now -> now < 1_000_000 ? now : now + HOUR, "tick"),
+          Change.ofQuery(
+              "a file",
+              byte[].class,
+              "line: ",
+              bytes -> "another\n".getBytes(StandardCharsets.US_ASCII),
+              "line: another"));
 
   @Test
   void aReplayIsTheRunToTheByte() throws Exception {
@@ -229,15 +352,14 @@ class RecordedRunTest {
       assertEquals(replayed, replay(recording, kernel -> kernel.tier(threshold)));
     }
 
-    Replayed other =
-        replay(
-            changed(entry ->
-                entry instanceof Entry.MessageTaken(Message.ConsoleBytes(int to, String bytes))
-                        && bytes.contains("40 + 2")
-                    ? new Entry.MessageTaken(new Message.ConsoleBytes(to, bytes.replace('2', '3')))
-                    : entry));
-    assertNotNull(other.difference());
-    assertTrue(other.difference().contains("43"), other.difference());
+    for (Change change : CHANGES) {
+      String difference = replay(changed(change)).difference();
+      assertTrue(
+          difference != null && difference.contains(change.shown),
+          () -> change.source + " instead: " + difference);
+    }
+    String random = replay(recording, kernel -> kernel.seed(2)).difference();
+    assertTrue(random != null && random.contains("] *** random: "), random);
   }
 
   /** As Foxglove does by {@code /call}, and a program that embeds the kernel. */
