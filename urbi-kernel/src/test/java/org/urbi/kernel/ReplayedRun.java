@@ -3,6 +3,7 @@ package org.urbi.kernel;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 
 /** A run that is had again from its recording, without its clients. */
 final class ReplayedRun {
@@ -20,8 +21,13 @@ final class ReplayedRun {
 
   /** The replay must end, and do what was recorded. */
   static void check(Path recording) {
+    assertNull(difference(recording));
+  }
+
+  /** How the replay, which must end, differs from what was recorded; null if it does not. */
+  static @Nullable String difference(Path recording) {
     Kernel replayed = Kernel.builder().log(line -> {}).replay(recording, number -> SILENT).start();
     replayed.awaitTermination();
-    assertNull(replayed.replayDifference());
+    return replayed.replayDifference();
   }
 }

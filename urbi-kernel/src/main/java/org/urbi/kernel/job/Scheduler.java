@@ -199,7 +199,7 @@ public final class Scheduler {
    * started, and the recorded result is returned.
    */
   public boolean attempt(BooleanSupplier beginning) {
-    return time.query(beginning::getAsBoolean);
+    return journal.ask(beginning::getAsBoolean);
   }
 
   /**

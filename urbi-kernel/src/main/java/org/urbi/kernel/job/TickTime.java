@@ -1,10 +1,6 @@
 package org.urbi.kernel.job;
 
-import static java.util.Objects.requireNonNull;
-
-import java.io.IOException;
 import org.urbi.kernel.journal.Journal;
-import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -69,16 +65,7 @@ public final class TickTime {
     if (!counted) {
       return clock.now();
     }
-    return query(clock::now);
-  }
-
-  /** The result of some work, or the recorded one. */
-  <T> T query(Outcome.Work<T> work) {
-    try {
-      return requireNonNull(journal.query(work), "what is looked at is there");
-    } catch (IOException e) {
-      throw new IllegalStateException(e);
-    }
+    return journal.ask(clock::now);
   }
 
   /** When a wait ends that begins now and lasts so many nanoseconds. */

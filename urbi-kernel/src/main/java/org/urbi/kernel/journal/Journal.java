@@ -1,6 +1,9 @@
 package org.urbi.kernel.journal;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
@@ -53,6 +56,15 @@ public interface Journal {
   @SuppressWarnings("unchecked")
   default <T> @Nullable T query(Outcome.Work<T> work) throws IOException {
     return (T) Outcome.of(work).get();
+  }
+
+  /** Queries what is always there, and cannot fail. */
+  default <T> T ask(Supplier<T> work) {
+    try {
+      return requireNonNull(query(work::get), "what is asked for is there");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /**

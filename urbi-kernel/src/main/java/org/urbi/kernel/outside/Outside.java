@@ -4,7 +4,6 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -248,24 +247,16 @@ public final class Outside implements Closeable {
     return open(() -> requireNonNull(early.get(), "it was there").get());
   }
 
+  /** A property of the Java machine, such as {@code os.name}; empty if it has none. */
+  public String property(String name) {
+    return scheduler.journal().ask(() -> System.getProperty(name, ""));
+  }
+
   /**
    * The variables of the environment, of a kernel that is being made: it has no kernel thread yet.
    */
   public static Map<String, String> environmentAtStart(Journal journal) {
-    try {
-      return requireNonNull(journal.query(System::getenv), "every machine has one");
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  /** A property of the Java machine, such as {@code os.name}; empty if it has none. */
-  public String property(String name) {
-    try {
-      return query(() -> System.getProperty(name, ""));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return journal.ask(System::getenv);
   }
 
   /** How much memory the kernel can have, in bytes. */

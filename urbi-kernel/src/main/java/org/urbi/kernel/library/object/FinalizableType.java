@@ -6,6 +6,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Outside;
 
 /** Objects that do something when they are reclaimed (manual, "Finalizable"). */
 @UrbiType(
@@ -13,14 +14,19 @@ import org.urbi.kernel.object.World;
     doc = "An object whose method finalize is called when nobody refers to it any more.",
     needs = Permission.NOTHING)
 final class FinalizableType {
-  private FinalizableType() {}
+  private final Outside outside;
 
-  static UrbiObject newPrototype(World world) {
-    return UrbiFinalizable.prototype(world.values().object.cloneShape());
+  FinalizableType(Outside outside) {
+    this.outside = outside;
+  }
+
+  UrbiObject newPrototype(World world) {
+    return UrbiFinalizable.prototype(
+        world.values().object.cloneShape(), outside.scheduler().journal());
   }
 
   @Builtin(doc = "Called when nobody refers to the object any more; does nothing.")
-  static void finalize(UrbiObject self) {}
+  void finalize(UrbiObject self) {}
 
   /** Refuses a prototype that would make an object finalizable which was not made so. */
   static void check(Frame frame, String routine, UrbiObject self, UrbiObject proto) {

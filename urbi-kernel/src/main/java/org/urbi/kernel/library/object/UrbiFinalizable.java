@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.object;
 
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -19,8 +20,8 @@ public sealed class UrbiFinalizable extends UrbiObject {
     this.finalization = finalization;
   }
 
-  static UrbiFinalizable prototype(Shape shape) {
-    return new UrbiFinalizable(shape, new Finalization());
+  static UrbiFinalizable prototype(Shape shape, Journal journal) {
+    return new UrbiFinalizable(shape, new Finalization(journal));
   }
 
   /** That of the kernel of this object. */

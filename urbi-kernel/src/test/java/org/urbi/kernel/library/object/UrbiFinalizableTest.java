@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.lang.ref.PhantomReference;
 import java.lang.ref.ReferenceQueue;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.World;
 
 class UrbiFinalizableTest {
@@ -12,7 +13,7 @@ class UrbiFinalizableTest {
 
   private PhantomReference<World> worldThatIsGone() {
     World world = new World();
-    FinalizableType.newPrototype(world);
+    UrbiFinalizable.prototype(world.values().object.cloneShape(), Journal.NONE);
     return new PhantomReference<>(world, gone);
   }
 
