@@ -66,4 +66,30 @@ class RecordedCollectionTest {
     String difference = ReplayedRun.difference(other);
     assertTrue(difference != null && difference.contains("*** bye ann"), difference);
   }
+
+  /** Links end with their variables, at the same moment in each run and in its replay. */
+  @Test
+  void linksOfVariablesThatComeAndGoAreNotListed() {
+    try (Kernel kernel = Kernel.builder().virtualTime(true).record(recording).start()) {
+      TestClient client = new TestClient(kernel, Role.OWNER);
+      assertEquals(
+          "",
+          client.say(
+              """
+              function Global.linked(value) {
+                var from = Object.clone | UVar.new(from, "x") | from.x = value |
+                var to = Object.clone | UVar.new(to, "y") |
+                from.&x >> to.&y |
+                from
+              }|;
+              var Global.one = linked(1)|;
+              for (200) linked(2)|;
+              var Global.two = linked(3)|;
+              """));
+      assertEquals("2", client.say("Subscription.getAll.size;"));
+      assertEquals("1", client.say("Global.removeLocalSlot(\"one\")|; Subscription.getAll.size;"));
+      client.say("uobjects.connectionStats;");
+    }
+    ReplayedRun.check(recording);
+  }
 }

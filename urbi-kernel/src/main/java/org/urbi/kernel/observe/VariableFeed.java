@@ -70,7 +70,7 @@ public final class VariableFeed {
     this.listener = listener;
     this.all = all;
     this.time = new WorldTime(scheduler);
-    KnownVariables known = KnownVariables.of(interpreter.world());
+    KnownVariables known = KnownVariables.of(interpreter);
     notArriving = known.listen(this::arrive);
     notLogging = log.listen(line -> listener.logged(time.now(), line));
     arrived.addAll(known.all());

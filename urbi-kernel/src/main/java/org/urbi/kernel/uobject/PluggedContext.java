@@ -63,7 +63,7 @@ public final class PluggedContext implements UContext {
   private final ValueConversion conversion;
   private @Nullable Converters converters;
   private final CallStatistics statistics;
-  private final ConnectionList connections = new ConnectionList();
+  private final ConnectionList connections;
   private final PendingNotifications notifications = new PendingNotifications();
   private final RtpSwitch rtp = new RtpSwitch();
   private final PeriodicCalls periods;
@@ -87,6 +87,7 @@ public final class PluggedContext implements UContext {
     this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
     this.variables = new VariableLookup(interpreter.world(), objects);
     this.conversion = new ValueConversion(this);
+    this.connections = new ConnectionList(scheduler);
     this.statistics = new CallStatistics(scheduler::measure);
     this.periods = new PeriodicCalls(this);
     this.creation = new InstanceLifecycle(this);

@@ -1,31 +1,36 @@
 package org.urbi.kernel.variable;
 
-import java.lang.ref.WeakReference;
-import java.util.ArrayList;
 import java.util.List;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.journal.LooseObjects;
 
-/** All connections between variables of a kernel, as weak references. */
+/** All connections between variables of a kernel; it keeps none of them alive. */
 public final class ConnectionList {
-  private final List<WeakReference<UrbiConnection>> connections = new ArrayList<>();
+  private final LooseObjects<UrbiConnection> connections;
+  private final boolean simulated;
+
+  public ConnectionList(Scheduler scheduler) {
+    connections = new LooseObjects<>(scheduler.journal());
+    simulated = !scheduler.clock().isReal();
+  }
 
   public void add(UrbiConnection connection) {
     remove(connection);
-    connections.add(new WeakReference<>(connection));
+    connections.add(connection);
   }
 
   public void remove(UrbiConnection connection) {
-    connections.removeIf(known -> known.refersTo(connection) || known.refersTo(null));
+    connections.remove(connection);
   }
 
-  /** Those there are, the oldest first. */
+  /**
+   * Those there are, the oldest first. In simulated time those whose variables nobody refers to are
+   * looked for first, so that runs can be repeated; otherwise they may be among them for a while.
+   */
   public List<UrbiConnection> all() {
-    List<UrbiConnection> all = new ArrayList<>();
-    for (WeakReference<UrbiConnection> each : connections) {
-      UrbiConnection connection = each.get();
-      if (connection != null) {
-        all.add(connection);
-      }
+    if (simulated && !connections.isEmpty()) {
+      System.gc();
     }
-    return all;
+    return connections.all();
   }
 }

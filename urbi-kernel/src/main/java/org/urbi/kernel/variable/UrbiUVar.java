@@ -137,7 +137,7 @@ public final class UrbiUVar extends UrbiObject {
     UrbiObject known = owner.localSlot(slot);
     if (places.isEmpty()) {
       name = shown + "." + slot.name();
-      KnownVariables.of(world()).add(this);
+      KnownVariables.of(interpreter).add(this);
       if (known != null) {
         value = new Datum(known);
         sensed = value;

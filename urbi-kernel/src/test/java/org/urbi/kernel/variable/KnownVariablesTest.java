@@ -6,12 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.World;
 
 /** All variables of a kernel are known, as long as somebody uses them. */
 class KnownVariablesTest {
   private final World world = new World();
-  private final KnownVariables known = new KnownVariables();
+  private final KnownVariables known = new KnownVariables(Journal.NONE);
   private final List<UrbiUVar> kept = new ArrayList<>();
 
   private UrbiUVar make() {
