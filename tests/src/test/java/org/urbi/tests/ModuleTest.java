@@ -1,6 +1,8 @@
 package org.urbi.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -10,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
@@ -264,6 +267,64 @@ class ModuleTest {
       kernel.eval("sleep(10ms);");
     }
     assertTrue(closed() >= 45, closed() + " of 50 closed");
+  }
+
+  /** Its own collector may not have come, or come earlier. */
+  @Test
+  void aReplayEndsTheObjectsThatWereReclaimed() throws Exception {
+    UObjectJars.make(
+        "Leaf",
+        """
+        public class Leaf extends urbi.UObject {
+          static { UStart(Leaf.class); }
+          public Leaf(String name) { super(name); }
+        }
+        """,
+        folder.resolve("leaf.jar"));
+    Path recording = folder.resolve("run");
+    CompletableFuture<Void> looked = new CompletableFuture<>();
+    try (Kernel recorded =
+        Kernel.builder().moduleSearchPath(List.of(folder)).record(recording).start()) {
+      recorded
+          .connect(listener(() -> looked.complete(null), "found"), false)
+          .send(
+              """
+              loadModule("leaf");
+              var before = uobjects.localSlotNames.size|;
+              for (20) { Leaf.new|; };
+              echo("made");
+              sleep(1ms);
+              var names = uobjects.localSlotNames|;
+              echo("found " + names.filter(function(n) { uobjects.findUObject(n) !== nil }).size);
+              while (uobjects.localSlotNames.size - before > 5) { sleep(20ms) };
+              echo("left " + (uobjects.localSlotNames.size - before));
+              shutdown;
+              """);
+      looked.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
+      for (int i = 0; i < 300 && recorded.isRunning(); i++) {
+        System.gc();
+        LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(20));
+      }
+      assertFalse(recorded.isRunning(), "they are reclaimed");
+    }
+    Kernel replayed =
+        Kernel.builder().replay(recording, number -> listener(System::gc, "made")).start();
+    replayed.awaitTermination();
+    assertNull(replayed.replayDifference());
+  }
+
+  private static Client listener(Runnable action, String word) {
+    return new Client() {
+      @Override
+      public void output(String bytes) {
+        if (bytes.contains(word)) {
+          action.run();
+        }
+      }
+
+      @Override
+      public void closed() {}
+    };
   }
 
   private long closed() {

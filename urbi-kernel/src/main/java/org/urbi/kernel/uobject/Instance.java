@@ -56,6 +56,11 @@ final class Instance {
     return object.get();
   }
 
+  /** Goes on without the urbiscript object: it was garbage collected, perhaps in another run. */
+  void lose() {
+    object.clear();
+  }
+
   /** The lobby it was created for; null once the urbiscript object was garbage collected. */
   @Nullable UrbiObject lobby() {
     Origin origin = origin();

@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import static java.util.Objects.requireNonNull;
 
 import java.lang.ref.Cleaner;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,7 @@ import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -32,16 +34,21 @@ final class Instances {
 
   private final World world;
   private final Inbox inbox;
+  private final Journal journal;
   private final Consumer<Instance> onGone;
   private final Map<String, Instance> byName = new LinkedHashMap<>();
   private final Map<UrbiObject, Instance> byObject = new WeakHashMap<>();
 
+  /** What a replay keeps until it was garbage collected in the recorded run. */
+  private final Map<Instance, UrbiObject> kept = new HashMap<>(0);
+
   /**
    * @param onGone called for each one whose urbiscript object was garbage collected
    */
-  Instances(World world, Inbox inbox, Consumer<Instance> onGone) {
+  Instances(World world, Inbox inbox, Journal journal, Consumer<Instance> onGone) {
     this.world = world;
     this.inbox = inbox;
+    this.journal = journal;
     this.onGone = onGone;
   }
 
@@ -54,6 +61,9 @@ final class Instances {
     Instance instance = new Instance(name, type, object, lobby);
     byName.put(name, instance);
     byObject.put(object, instance);
+    if (journal.isReplay()) {
+      kept.put(instance, object);
+    }
     setSlot(object, world.symbol("__uobjectName"), world.values().string(Utf8Text.toUrbi(name)));
     return instance;
   }
@@ -109,7 +119,9 @@ final class Instances {
   /** The urbiscript object of that name was reported as garbage collected. */
   void gone(String name) {
     Instance instance = byName.get(name);
-    if (instance != null && instance.object() == null) {
+    if (instance != null && journal.ask(() -> instance.object() == null)) {
+      kept.remove(instance);
+      instance.lose();
       onGone.accept(instance);
     }
   }
@@ -117,6 +129,7 @@ final class Instances {
   /** Forgets an object. */
   void remove(Instance instance) {
     byName.remove(instance.name());
+    kept.remove(instance);
     UrbiObject object = instance.object();
     if (object != null) {
       byObject.remove(object);

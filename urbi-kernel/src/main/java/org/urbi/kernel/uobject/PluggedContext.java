@@ -84,7 +84,8 @@ public final class PluggedContext implements UContext {
     this.log = log;
     this.requests = new KernelRequests(interpreter);
     this.crossing = new KernelCrossing(this, interpreter, requests, nativeThread);
-    this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
+    this.objects =
+        new Instances(interpreter.world(), scheduler.inbox(), scheduler.journal(), this::gone);
     this.variables = new VariableLookup(interpreter.world(), objects);
     this.conversion = new ValueConversion(this);
     this.connections = new ConnectionList(scheduler);
