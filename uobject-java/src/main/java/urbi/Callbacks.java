@@ -40,7 +40,7 @@ final class Callbacks {
         UCallbackAction action = UCallbackAction.URBI_CONTINUE;
         try {
           action = callback.handler.onMessage(message);
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
           Thread thread = Thread.currentThread();
           thread.getUncaughtExceptionHandler().uncaughtException(thread, e);
         }

@@ -2,6 +2,8 @@ package urbi;
 
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import urbi.thread.GuardedThreads;
 import urbi.time.Stopwatch;
 
 /** Sends a request when the other side has been silent, and gives up when no answer comes. */
@@ -17,13 +19,20 @@ final class KeepAlive {
   /**
    * @param interval milliseconds of silence before a request
    * @param timeout milliseconds to wait for the answer
+   * @param onFailure is told when it ends because of a defect: nobody would notice a timeout
    */
-  KeepAlive(long interval, long timeout, Runnable ask, Runnable onTimeout) {
+  KeepAlive(
+      long interval,
+      long timeout,
+      Runnable ask,
+      Runnable onTimeout,
+      Consumer<Throwable> onFailure) {
     this.interval = interval;
     this.timeout = timeout;
     this.ask = ask;
     this.onTimeout = onTimeout;
-    thread = Thread.ofVirtual().name("urbi-keep-alive").start(this::run);
+    thread = GuardedThreads.SDK.virtual("urbi-keep-alive", this::run, onFailure);
+    thread.start();
   }
 
   /** Something has been received. */

@@ -34,6 +34,11 @@ public final class Log {
     System.getLogger(category).log(Level.ERROR, () -> message);
   }
 
+  /** Logs an error under the usual category, with the stack of what was thrown. */
+  public static void error(String message, Throwable failure) {
+    System.getLogger(CATEGORY).log(Level.ERROR, message, failure);
+  }
+
   /** Logs an error together with the place in the program that it is about. */
   public static void error(
       String category, String message, String function, String file, int line) {

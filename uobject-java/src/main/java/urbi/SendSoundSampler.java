@@ -5,6 +5,7 @@ import java.io.IOException;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import org.jspecify.annotations.Nullable;
+import urbi.thread.GuardedThreads;
 
 /** A window with a button that has a server play a file. */
 @SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
@@ -35,7 +36,7 @@ public class SendSoundSampler extends JFrame {
     dialog.setVisible(true);
     if (dialog.getFile() != null) {
       String path = dialog.getDirectory() + dialog.getFile();
-      Thread.ofPlatform().daemon().name("urbi-sound").start(() -> send(path));
+      GuardedThreads.SDK.platform("urbi-sound", () -> send(path)).start();
     }
   }
 

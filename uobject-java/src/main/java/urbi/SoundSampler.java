@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import org.jspecify.annotations.Nullable;
+import urbi.thread.GuardedThreads;
 
 /** A window with buttons to record a sound, to play it, and to save it. */
 @SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
@@ -71,7 +72,7 @@ public class SoundSampler extends JFrame {
   private void run(Consumer<SoundAction> task) {
     SoundAction present = action;
     if (present != null) {
-      Thread.ofPlatform().daemon().name("urbi-sound").start(() -> task.accept(present));
+      GuardedThreads.SDK.platform("urbi-sound", () -> task.accept(present)).start();
     }
   }
 }

@@ -16,6 +16,8 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
+import urbi.thread.GuardedThreads;
+import urbi.thread.InternalFailure;
 
 /**
  * A client of a server, over TCP, TLS or a Unix domain socket, see {@link ServerConnection}.
@@ -72,8 +74,12 @@ public class UClient extends UAbstractClient implements AutoCloseable {
       return;
     }
     connection = opened;
-    readerThread = Thread.ofVirtual().name("urbi-client-reader").start(() -> read(opened.in()));
-    Thread.ofVirtual().name("urbi-client-writer").start(() -> write(opened.out()));
+    readerThread =
+        GuardedThreads.SDK.virtual("urbi-client-reader", () -> read(opened.in()), this::failed);
+    readerThread.start();
+    GuardedThreads.SDK
+        .virtual("urbi-client-writer", () -> write(opened.out()), this::failed)
+        .start();
   }
 
   /**
@@ -225,7 +231,8 @@ public class UClient extends UAbstractClient implements AutoCloseable {
               pingInterval,
               pongTimeout,
               () -> send("lobby.send(\"\", \"URBI_pong\");\n"),
-              () -> close("the server does not answer within " + pongTimeout + " ms"));
+              () -> close("the server does not answer within " + pongTimeout + " ms"),
+              this::failed);
     }
   }
 
@@ -326,6 +333,11 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     close(null);
   }
 
+  /** One of its threads has met a defect, so that whoever waits for it would wait for ever. */
+  final void failed(Throwable defect) {
+    close(InternalFailure.text(defect));
+  }
+
   private void close(@Nullable String why) {
     lock.lock();
     try {
@@ -348,9 +360,12 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     } catch (IOException e) {
       // There is nothing left to be closed.
     }
-    if (why != null) {
-      clientError(why);
+    try {
+      if (why != null) {
+        clientError(why);
+      }
+    } finally {
+      closed.complete(null);
     }
-    closed.complete(null);
   }
 }

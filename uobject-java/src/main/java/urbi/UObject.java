@@ -533,8 +533,10 @@ public abstract non-sealed class UObject extends UObjectBase {
   private void ended(String how, EndAction ending) {
     try {
       ending.run();
-    } catch (Exception e) {
-      getUContext().report("exception caught while " + how + " " + name + ": " + e);
+    } catch (Throwable e) {
+      String what = "exception caught while " + how + " " + name;
+      Log.error(what, e);
+      getUContext().report(what + ": " + e);
     }
   }
 

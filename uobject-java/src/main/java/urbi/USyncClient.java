@@ -10,6 +10,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import urbi.thread.GuardedThreads;
 import urbi.time.Stopwatch;
 
 /**
@@ -46,7 +47,9 @@ public class USyncClient extends UClient {
   /** Connects, see {@link UClient#UClient(String, int, Duration)}. */
   public USyncClient(String host, int port, Duration timeout) {
     super(host, port, timeout);
-    callbackThread = Thread.ofVirtual().name("urbi-client-callbacks").start(this::callbackThread);
+    callbackThread =
+        GuardedThreads.SDK.virtual("urbi-client-callbacks", this::callbackThread, this::failed);
+    callbackThread.start();
     onClosed().thenRun(() -> queue.add(end));
   }
 

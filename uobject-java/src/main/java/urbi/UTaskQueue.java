@@ -29,7 +29,15 @@ public final class UTaskQueue {
       }
       running = true;
     }
-    start(threads, task);
+    try {
+      start(threads, task);
+    } catch (Error e) {
+      // There is no thread for it now; there may be one for the next.
+      synchronized (waiting) {
+        running = false;
+      }
+      throw e;
+    }
     return true;
   }
 

@@ -14,7 +14,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import urbi.spi.FailureLog;
+import urbi.spi.ComponentFailureLog;
 
 /** What programs for the SDK of Urbi 2.7 use besides what has tests of its own. */
 class Urbi27Test {
@@ -142,7 +142,7 @@ class Urbi27Test {
   @Test
   void aFailureIsLoggedOnceForEachPlace() {
     List<String> log = new ArrayList<>();
-    FailureLog failures = new FailureLog(log::add);
+    ComponentFailureLog failures = new ComponentFailureLog(log::add);
     for (int i = 0; i < 3; i++) {
       failures.log("Adder.add", new IllegalStateException("number " + i));
     }

@@ -15,6 +15,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import urbi.ServerConnection;
 import urbi.UClientException;
+import urbi.thread.GuardedThreads;
+import urbi.thread.InternalFailure;
 import urbi.wire.Protocol;
 import urbi.wire.WireException;
 import urbi.wire.WireInput;
@@ -70,7 +72,7 @@ final class Connection implements AutoCloseable {
     } finally {
       agreed.countDown();
     }
-    Thread.ofPlatform().daemon().name("urbi-remote-writer").start(this::write);
+    GuardedThreads.SDK.platform("urbi-remote-writer", this::write, this::failed).start();
   }
 
   private static ServerConnection open(String host, int port, int milliseconds) {
@@ -98,9 +100,8 @@ final class Connection implements AutoCloseable {
    * have it ask the system three times for each frame, for ever, instead of once.
    */
   private void limit(CountDownLatch agreed, int milliseconds) {
-    Thread.ofVirtual()
-        .name("urbi-remote-deadline")
-        .start(() -> {
+    Runnable deadline =
+        () -> {
           try {
             if (!agreed.await(milliseconds, TimeUnit.MILLISECONDS)) {
               tooLate = true;
@@ -109,7 +110,8 @@ final class Connection implements AutoCloseable {
           } catch (InterruptedException e) {
             // Nobody has the thread to interrupt it.
           }
-        });
+        };
+    GuardedThreads.SDK.virtual("urbi-remote-deadline", deadline, defect -> closeSocket()).start();
   }
 
   /** Where the server is. */
@@ -197,6 +199,10 @@ final class Connection implements AutoCloseable {
       out.write(full.array(), 0, full.length());
     } catch (IOException e) {
       problem = e;
+    } catch (RuntimeException | Error e) {
+      // Part of it may have been sent: nothing that is sent after it could be understood.
+      InternalFailure.log("sending to the server", e);
+      problem = new IOException(InternalFailure.text(e), e);
     }
     full.reset();
     lock.lock();
@@ -266,6 +272,15 @@ final class Connection implements AutoCloseable {
         throw new EOFException("the server has closed the connection");
       }
       to += size;
+    }
+  }
+
+  private void failed(Throwable defect) {
+    lock.lock();
+    try {
+      fail(new IOException(InternalFailure.text(defect), defect));
+    } finally {
+      lock.unlock();
     }
   }
 

@@ -1,6 +1,8 @@
 package urbi.remote;
 
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import urbi.thread.GuardedThreads;
 import urbi.time.Stopwatch;
 import urbi.wire.Protocol;
 
@@ -17,14 +19,20 @@ final class ConnectionMonitor implements AutoCloseable {
    * @param everySecond is called once a second
    * @param ask sends a request that the other side answers
    * @param onTimeout is called once
+   * @param onFailure is told when it ends because of a defect: nobody would notice silence
    */
-  ConnectionMonitor(Stopwatch silence, Runnable everySecond, Runnable ask, Runnable onTimeout) {
+  ConnectionMonitor(
+      Stopwatch silence,
+      Runnable everySecond,
+      Runnable ask,
+      Runnable onTimeout,
+      Consumer<Throwable> onFailure) {
     this.silence = silence;
     this.everySecond = everySecond;
     this.ask = ask;
     this.onTimeout = onTimeout;
     // A virtual thread that writes would have the socket ask the system more often from then on.
-    thread = Thread.ofPlatform().daemon().name("urbi-remote-keep-alive").unstarted(this::watch);
+    thread = GuardedThreads.SDK.platform("urbi-remote-keep-alive", this::watch, onFailure);
   }
 
   void start() {
@@ -36,7 +44,7 @@ final class ConnectionMonitor implements AutoCloseable {
       do {
         TimeUnit.SECONDS.sleep(1);
       } while (checkOnce());
-    } catch (InterruptedException | RuntimeException e) {
+    } catch (InterruptedException e) {
       // The connection has ended otherwise.
     }
   }

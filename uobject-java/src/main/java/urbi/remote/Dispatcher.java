@@ -7,6 +7,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import urbi.thread.GuardedThreads;
 import urbi.time.Stopwatch;
 
 /**
@@ -56,18 +57,17 @@ final class Dispatcher {
   /**
    * @param guard executes a task, and never throws
    * @param wake has something sent soon that can be read
+   * @param onFailure is told when one of the threads ends because of a defect
    */
-  Dispatcher(FrameReader reading, Consumer<Runnable> guard, Runnable wake) {
+  Dispatcher(
+      FrameReader reading, Consumer<Runnable> guard, Runnable wake, Consumer<Throwable> onFailure) {
     this.reading = reading;
     this.guard = guard;
     this.wake = wake;
-    this.executor = thread("urbi-remote", this::work);
-    this.helper = thread("urbi-remote-reader", this::help);
-    this.watch = thread("urbi-remote-watch", this::watch);
-  }
-
-  private static Thread thread(String name, Runnable work) {
-    return Thread.ofPlatform().daemon().name(name).unstarted(work);
+    GuardedThreads threads = GuardedThreads.SDK;
+    this.executor = threads.platform("urbi-remote", this::work, onFailure);
+    this.helper = threads.platform("urbi-remote-reader", this::help, onFailure);
+    this.watch = threads.platform("urbi-remote-watch", this::watch, onFailure);
   }
 
   void start() {

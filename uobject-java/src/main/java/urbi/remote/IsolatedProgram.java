@@ -15,6 +15,8 @@ import urbi.UModule;
 import urbi.UModuleException;
 import urbi.spi.Failure;
 import urbi.spi.ModuleFiles;
+import urbi.thread.GuardedThreads;
+import urbi.thread.InternalFailure;
 import urbi.wire.Frame;
 
 /**
@@ -50,18 +52,19 @@ public final class IsolatedProgram {
   public String run() throws IOException {
     String token = line();
     Path file = Path.of(line());
-    thread("urbi-isolated-input", this::awaitEndOfInput);
+    GuardedThreads.SDK.platform("urbi-isolated-input", this::awaitEndOfInput).start();
     try (RemoteContext context = connect(token)) {
       start(context, file);
       if (limit.isPositive()) {
-        thread("urbi-isolated-limit", () -> watch(context));
+        GuardedThreads.SDK
+            .platform(
+                "urbi-isolated-limit",
+                () -> watch(context),
+                defect -> tell(context, InternalFailure.text(defect)))
+            .start();
       }
       return context.onClosed().join();
     }
-  }
-
-  private static void thread(String name, Runnable work) {
-    Thread.ofPlatform().daemon().name(name).start(work);
   }
 
   private String line() throws IOException {
@@ -81,8 +84,9 @@ public final class IsolatedProgram {
       in.transferTo(OutputStream.nullOutputStream());
     } catch (IOException e) {
       // That is an end, too.
+    } finally {
+      halt.run();
     }
-    halt.run();
   }
 
   /** Connects; afterwards the properties are as they were, for clients in the module. */

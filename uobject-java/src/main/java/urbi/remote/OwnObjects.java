@@ -7,21 +7,21 @@ import urbi.UClass;
 import urbi.UHubClass;
 import urbi.UObject;
 import urbi.UObjectHub;
+import urbi.spi.ComponentFailureLog;
 import urbi.spi.Failure;
-import urbi.spi.FailureLog;
 import urbi.wire.Frame;
 
 /** The classes of a process, and what it has made of them. Any thread may ask. */
 final class OwnObjects {
   private final RemoteContext context;
   private final RemoteFunctions functions;
-  private final FailureLog failureLog;
+  private final ComponentFailureLog failureLog;
   private final Map<String, UClass> classes = new ConcurrentHashMap<>();
   private final Map<String, UObject> objects = new ConcurrentHashMap<>();
   private final Map<String, String> failures = new ConcurrentHashMap<>();
   private final Map<String, UObjectHub> hubs = new ConcurrentHashMap<>();
 
-  OwnObjects(RemoteContext context, RemoteFunctions functions, FailureLog failureLog) {
+  OwnObjects(RemoteContext context, RemoteFunctions functions, ComponentFailureLog failureLog) {
     this.context = context;
     this.functions = functions;
     this.failureLog = failureLog;

@@ -6,12 +6,10 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -34,10 +32,11 @@ import urbi.UValue;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
 import urbi.rtp.RtpStatistics;
+import urbi.spi.ComponentFailureLog;
 import urbi.spi.Failure;
-import urbi.spi.FailureLog;
 import urbi.spi.SentCode;
 import urbi.spi.ThreadPool;
+import urbi.thread.InternalFailure;
 import urbi.time.Stopwatch;
 import urbi.wire.Frame;
 import urbi.wire.WireException;
@@ -59,7 +58,8 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   private final @Nullable InetSocketAddress server;
   private final Connection link;
-  private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute, this::ping);
+  private final Dispatcher dispatcher =
+      new Dispatcher(this::readOne, this::execute, this::ping, this::failed);
   private final PendingRequests requests = new PendingRequests();
   private final ThreadPool threads = new ThreadPool("urbi-remote-function-");
   private final RemoteTimers timers = new RemoteTimers(dispatcher);
@@ -67,12 +67,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final AtomicInteger lastSlot = new AtomicInteger();
   private final AtomicReference<String> end = new AtomicReference<>();
   private final CompletableFuture<String> closed = new CompletableFuture<>();
-  private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
   private volatile boolean endsWithLastObject;
   private int yields;
   private volatile @Nullable Consumer<String> trace;
-  private final FailureLog failureLog = new FailureLog(Log::error);
+  private final ComponentFailureLog failureLog = new ComponentFailureLog(Log::error);
+  private final OutputListeners output = new OutputListeners(failureLog);
   private final SlowCallMonitor turn = new SlowCallMonitor(this::complain);
   private final RemoteFunctions functions = new RemoteFunctions(this, failureLog, turn);
   private final OwnObjects objects = new OwnObjects(this, functions, failureLog);
@@ -101,8 +101,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
     link = new Connection(host, port, CONNECT_MILLISECONDS);
     watch =
         new ConnectionMonitor(
-            silence, turn::complain, this::ping, () -> end("the server does not answer any more"));
-    datagrams = new RemoteDatagrams(this, link.address());
+            silence,
+            turn::complain,
+            this::ping,
+            () -> end("the server does not answer any more"),
+            this::failed);
+    datagrams = new RemoteDatagrams(this, link.address(), failureLog);
     dispatcher.start();
     watch.start();
   }
@@ -117,7 +121,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   /** Has what the server shows to this connection passed on, in pieces as they come. */
   public void onOutput(Consumer<byte[]> listener) {
-    listeners.add(listener);
+    output.add(listener);
   }
 
   /** Measures the code that is executed in turn. */
@@ -204,8 +208,16 @@ public final class RemoteContext implements UContext, AutoCloseable {
       end("the server does not keep to the protocol: " + e.getMessage());
     } catch (UClientException e) {
       end(requireNonNullElse(e.getMessage(), "the connection is closed"));
+    } catch (RuntimeException | Error e) {
+      InternalFailure.log("reading what the server has sent", e);
+      failed(e);
     }
     return false;
+  }
+
+  /** Without that thread somebody would wait for ever. */
+  private void failed(Throwable defect) {
+    end(InternalFailure.text(defect));
   }
 
   private void take(int type, WireInput frame) {
@@ -248,10 +260,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
         }
       }
       case Frame.TIME -> time.heard(frame.number());
-      case Frame.OUTPUT -> {
-        byte[] text = frame.rest();
-        listeners.forEach(listener -> listener.accept(text));
-      }
+      case Frame.OUTPUT -> output.tell(frame.rest());
       default -> throw new WireException("no kind of frame: " + type);
     }
   }
@@ -279,7 +288,8 @@ public final class RemoteContext implements UContext, AutoCloseable {
     dispatcher.run(task);
   }
 
-  private void execute(Runnable task) {
+  /** Executes a task of a component: whatever it throws, the thread goes on. */
+  void execute(Runnable task) {
     UContext before = UContext.enter(this);
     try {
       task.run();

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
-import java.net.PortUnreachableException;
 import java.net.SocketException;
 import java.security.SecureRandom;
 import java.util.Iterator;
@@ -22,6 +21,8 @@ import urbi.rtp.RtpOptions;
 import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpStatistics;
+import urbi.spi.ComponentFailureLog;
+import urbi.thread.GuardedThreads;
 import urbi.time.Stopwatch;
 import urbi.wire.Frame;
 import urbi.wire.WireException;
@@ -31,19 +32,20 @@ import urbi.wire.WireOutput;
 /** The datagrams of a remote process: negotiates them with the kernel, sends and receives them. */
 final class RemoteDatagrams implements AutoCloseable {
   private static final int BUFFER = 4 << 20;
-  private static final int MAX_SIZE = 1 << 16;
   private static final long PROBE_MILLISECONDS = 50;
 
   private final RemoteContext context;
   private final InetAddress server;
+  private final ComponentFailureLog failureLog;
   private @Nullable RtpOptions options;
   private CompletableFuture<Boolean> works = new CompletableFuture<>();
   private volatile @Nullable DatagramSocketThreads path;
   private boolean closed;
 
-  RemoteDatagrams(RemoteContext context, InetAddress server) {
+  RemoteDatagrams(RemoteContext context, InetAddress server, ComponentFailureLog failureLog) {
     this.context = context;
     this.server = server;
+    this.failureLog = failureLog;
   }
 
   // ------------------------------------------------------------------ agreement
@@ -197,9 +199,7 @@ final class RemoteDatagrams implements AutoCloseable {
               random.nextLong(),
               socket.getReceiveBufferSize(),
               options.datagram() == 0 ? suitable : options.datagram());
-      clock =
-          new ScheduledThreadPoolExecutor(
-              1, Thread.ofPlatform().daemon().name("urbi-remote-rtp").factory());
+      clock = GuardedThreads.SDK.clock("urbi-remote-rtp");
       clock.setRemoveOnCancelPolicy(true);
     }
 
@@ -208,8 +208,11 @@ final class RemoteDatagrams implements AutoCloseable {
       var begun = new RtpSession(own, other, this);
       session = begun;
       probes = Math.max(1, options.patience().toMillis() / PROBE_MILLISECONDS);
-      Thread.ofPlatform().daemon().name("urbi-remote-rtp-in").start(() -> receive(begun));
-      delivery = Thread.ofPlatform().daemon().name("urbi-remote-rtp-values").start(this::deliver);
+      GuardedThreads threads = GuardedThreads.SDK;
+      var receiver = new DatagramReceiver(socket, begun::receive, this::broken, failureLog);
+      threads.platform("urbi-remote-rtp-in", receiver, defect -> broken()).start();
+      delivery = threads.platform("urbi-remote-rtp-values", this::deliver, defect -> broken());
+      delivery.start();
       after(0, () -> probe(begun));
     }
 
@@ -222,24 +225,6 @@ final class RemoteDatagrams implements AutoCloseable {
         after(PROBE_MILLISECONDS, () -> probe(session));
       } else {
         gaveUp("do not get through to " + server.getHostAddress() + ":" + socket.getPort());
-      }
-    }
-
-    private void receive(RtpSession session) {
-      byte[] bytes = new byte[MAX_SIZE];
-      while (!socket.isClosed()) {
-        try {
-          DatagramPacket packet = new DatagramPacket(bytes, bytes.length);
-          socket.receive(packet);
-          session.receive(bytes, packet.getLength());
-        } catch (PortUnreachableException e) {
-          // Nobody listens there now; probes and reports that do not come tell the same.
-        } catch (IOException e) {
-          if (!socket.isClosed()) {
-            broken();
-            return;
-          }
-        }
       }
     }
 
@@ -323,6 +308,8 @@ final class RemoteDatagrams implements AutoCloseable {
             }
           } catch (WireException e) {
             // It is dropped, as are other datagrams that make no sense.
+          } catch (RuntimeException | Error e) {
+            failureLog.log("a value in a datagram", e);
           }
         }
       } catch (InterruptedException e) {

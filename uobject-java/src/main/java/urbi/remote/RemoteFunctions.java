@@ -14,14 +14,14 @@ import urbi.UClientException;
 import urbi.UValue;
 import urbi.spi.ArgumentException;
 import urbi.spi.ArgumentTypes;
+import urbi.spi.ComponentFailureLog;
 import urbi.spi.Failure;
-import urbi.spi.FailureLog;
 import urbi.wire.Frame;
 
 /** The functions that UObjects have bound, and their calls: by the kernel, and as callbacks. */
 final class RemoteFunctions {
   private final RemoteContext context;
-  private final FailureLog failureLog;
+  private final ComponentFailureLog failureLog;
   private final SlowCallMonitor turn;
   private final Map<String, Map<String, UCallback>> functions = new ConcurrentHashMap<>();
 
@@ -29,7 +29,7 @@ final class RemoteFunctions {
    * @param failureLog where the stack traces of what they throw go
    * @param turn measures those that are called in turn
    */
-  RemoteFunctions(RemoteContext context, FailureLog failureLog, SlowCallMonitor turn) {
+  RemoteFunctions(RemoteContext context, ComponentFailureLog failureLog, SlowCallMonitor turn) {
     this.context = context;
     this.failureLog = failureLog;
     this.turn = turn;
@@ -58,7 +58,8 @@ final class RemoteFunctions {
     }
     UCallback known = function(object, name);
     if (known != null && known.isThreaded()) {
-      if (!known.execute(context, () -> perform(known, number, arguments))) {
+      Runnable call = () -> context.execute(() -> perform(known, number, arguments));
+      if (!known.execute(context, call)) {
         result(number, null);
       }
     } else {

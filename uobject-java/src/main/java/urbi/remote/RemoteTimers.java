@@ -8,6 +8,7 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import urbi.thread.GuardedThreads;
 
 /** The timers of the UObjects of a remote process. */
 final class RemoteTimers implements AutoCloseable {
@@ -18,9 +19,7 @@ final class RemoteTimers implements AutoCloseable {
 
   private final Dispatcher dispatcher;
   private final List<Timer> all = new CopyOnWriteArrayList<>();
-  private final ScheduledThreadPoolExecutor clock =
-      new ScheduledThreadPoolExecutor(
-          1, Thread.ofPlatform().daemon().name("urbi-remote-timer").factory());
+  private final ScheduledThreadPoolExecutor clock = GuardedThreads.SDK.clock("urbi-remote-timer");
 
   RemoteTimers(Dispatcher dispatcher) {
     this.dispatcher = dispatcher;

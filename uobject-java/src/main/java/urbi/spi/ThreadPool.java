@@ -2,13 +2,18 @@ package urbi.spi;
 
 import java.util.ArrayDeque;
 import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import urbi.thread.GuardedThreads;
 
 /** The threads of one context. They are platform threads: their code may block. */
 public final class ThreadPool implements Executor, AutoCloseable {
-  private final ExecutorService threads;
+  /** A thread without a task ends after that time. */
+  private static final long SECONDS_KEPT = 60;
+
+  private final ThreadPoolExecutor threads;
   private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();
   private int limit;
   private int running;
@@ -17,7 +22,14 @@ public final class ThreadPool implements Executor, AutoCloseable {
    * @param name what the threads are called
    */
   public ThreadPool(String name) {
-    threads = Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name(name, 0).factory());
+    threads =
+        new ThreadPoolExecutor(
+            0,
+            Integer.MAX_VALUE,
+            SECONDS_KEPT,
+            TimeUnit.SECONDS,
+            new SynchronousQueue<>(),
+            GuardedThreads.SDK.numbered(name));
   }
 
   /** Limits the number of threads that run at a time; 0 for any number. */
@@ -48,6 +60,15 @@ public final class ThreadPool implements Executor, AutoCloseable {
       } catch (RejectedExecutionException e) {
         // The context has ended.
         running--;
+      } catch (OutOfMemoryError e) {
+        // The system has no thread left.
+        running--;
+        if (running == 0) {
+          throw e;
+        }
+        // It gets the first of these that has done its task.
+        waiting.addFirst(task);
+        return;
       }
     }
   }

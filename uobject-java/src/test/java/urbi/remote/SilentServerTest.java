@@ -29,7 +29,8 @@ class SilentServerTest {
         new Stopwatch(time::get),
         () -> done.add("look"),
         () -> done.add("ask"),
-        () -> done.add("give up"));
+        () -> done.add("give up"),
+        defect -> done.add("defect"));
   }
 
   private boolean after(int seconds, ConnectionMonitor watch) {

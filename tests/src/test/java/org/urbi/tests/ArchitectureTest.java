@@ -101,13 +101,16 @@ class ArchitectureTest {
 
   @ArchTest static final ArchRule timeDependsOnNothingElse = dependsOnlyOn("urbi.time");
 
+  @ArchTest static final ArchRule threadsDependOnNothingElse = dependsOnlyOn("urbi.thread");
+
   @ArchTest static final ArchRule mediaDependsOnNothingElse = dependsOnlyOn("urbi.media");
 
   @ArchTest
   static final ArchRule publicApiDependsOnLowerPackages =
-      dependsOnlyOn("urbi", "urbi.time", "urbi.media");
+      dependsOnlyOn("urbi", "urbi.time", "urbi.thread", "urbi.media");
 
-  @ArchTest static final ArchRule spiDependsOnTheSdkOnly = dependsOnlyOn("urbi.spi", "urbi");
+  @ArchTest
+  static final ArchRule spiDependsOnTheSdkOnly = dependsOnlyOn("urbi.spi", "urbi.thread", "urbi");
 
   @ArchTest static final ArchRule wireDependsOnValues = dependsOnlyOn("urbi.wire", "urbi");
 

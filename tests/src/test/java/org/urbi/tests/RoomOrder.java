@@ -49,6 +49,7 @@ final class RoomOrder {
               List.of(
                   "urbi.media",
                   "urbi.time",
+                  "urbi.thread",
                   "com.sun.image.codec.jpeg",
                   "urbi",
                   "liburbi.main",

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
  * Logs the stack traces of exceptions in components. The same exception at the same place is logged
  * once, even if a timer throws it again and again.
  */
-public final class FailureLog {
+public final class ComponentFailureLog {
   /** So many places are remembered; the oldest is forgotten first. */
   private static final int MAX_PLACES = 1000;
 
@@ -33,7 +33,7 @@ public final class FailureLog {
   /**
    * @param log is given texts of several lines, from any thread
    */
-  public FailureLog(Consumer<String> log) {
+  public ComponentFailureLog(Consumer<String> log) {
     this.log = log;
   }
 
