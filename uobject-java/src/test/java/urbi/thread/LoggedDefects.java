@@ -2,7 +2,6 @@ package urbi.thread;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 
@@ -10,23 +9,9 @@ import java.util.logging.Logger;
 public final class LoggedDefects implements AutoCloseable {
   private final Logger logger = Logger.getLogger("UObjectJava");
   private final List<LogRecord> logged = new CopyOnWriteArrayList<>();
-  private final Handler listener =
-      new Handler() {
-        @Override
-        public void publish(LogRecord entry) {
-          logged.add(entry);
-        }
-
-        @Override
-        public void flush() {}
-
-        @Override
-        public void close() {}
-      };
 
   public LoggedDefects() {
-    logger.setUseParentHandlers(false);
-    logger.addHandler(listener);
+    logger.setFilter(entry -> !logged.add(entry));
   }
 
   /** The messages, and what they have the stack of. */
@@ -36,7 +21,6 @@ public final class LoggedDefects implements AutoCloseable {
 
   @Override
   public void close() {
-    logger.removeHandler(listener);
-    logger.setUseParentHandlers(true);
+    logger.setFilter(null);
   }
 }

@@ -138,7 +138,8 @@ class ArchitectureTest {
   static final ArchRule theSiteDependsOnColours =
       dependsOnlyOn("org.urbi.site", "org.urbi.lang.highlight");
 
-  @ArchTest static final ArchRule rosDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.ros..", "urbi");
+  @ArchTest static final ArchRule rosDependsOnTheSdkOnly =
+      dependsOnlyOn("org.urbi.ros..", "urbi.thread", "urbi");
 
   @ArchTest
   static final ArchRule rosMessagesDependOnValuesOnly =
@@ -150,7 +151,11 @@ class ArchitectureTest {
 
   @ArchTest
   static final ArchRule rosGraphDependsOnMessages =
-      dependsOnlyOn("org.urbi.ros.graph..", "org.urbi.ros.message..", "urbi");
+      dependsOnlyOn("org.urbi.ros.graph..", "org.urbi.ros.message..", "urbi.thread", "urbi");
+
+  @ArchTest
+  static final ArchRule rosNetDependsOnNothingElseOfRos =
+      dependsOnlyOn("org.urbi.ros.net", "urbi.thread", "urbi");
 
   @ArchTest
   static final ArchRule rosOneDependsOnTheGraph =
@@ -159,7 +164,9 @@ class ArchitectureTest {
           "org.urbi.ros.graph..",
           "org.urbi.ros.codec..",
           "org.urbi.ros.message..",
+          "org.urbi.ros.net",
           "org.urbi.ros.time",
+          "urbi.thread",
           "urbi");
 
   @ArchTest
@@ -177,7 +184,9 @@ class ArchitectureTest {
           "org.urbi.ros.bridge..",
           "org.urbi.ros.graph..",
           "org.urbi.ros.message..",
+          "org.urbi.ros.net",
           "org.urbi.ros.time",
+          "urbi.thread",
           "urbi");
 
   @ArchTest

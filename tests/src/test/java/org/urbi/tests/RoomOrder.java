@@ -132,6 +132,7 @@ final class RoomOrder {
                   ".time",
                   ".codec",
                   ".graph",
+                  ".net",
                   ".rtps",
                   ".bridge",
                   ".frames",

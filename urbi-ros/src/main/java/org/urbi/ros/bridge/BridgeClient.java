@@ -3,6 +3,7 @@ package org.urbi.ros.bridge;
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Node;
+import urbi.thread.GuardedThreads;
 
 /** One client: what it asks for is done one after the other; what it hears, it hears meanwhile. */
 final class BridgeClient implements AutoCloseable {
@@ -38,8 +39,10 @@ final class BridgeClient implements AutoCloseable {
    * @throws IOException why, unless it has said good-bye
    */
   void run() throws IOException {
-    Thread writer = Thread.ofVirtual().name("urbi-ros-bridge-out").start(this::write);
+    Thread writer =
+        GuardedThreads.SDK.virtual("urbi-ros-bridge-out", this::write, defect -> letGo());
     try (this) {
+      writer.start();
       for (String text = socket.read(); text != null; text = socket.read()) {
         obey(text);
       }
@@ -78,7 +81,7 @@ final class BridgeClient implements AutoCloseable {
         } else {
           obey(operation);
         }
-      } catch (RuntimeException e) {
+      } catch (RuntimeException | Error e) {
         replies.failed(operation, e);
       }
     }

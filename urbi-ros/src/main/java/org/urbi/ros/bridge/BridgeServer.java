@@ -17,6 +17,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
+import org.urbi.ros.net.AcceptLoop;
+import urbi.thread.GuardedThreads;
+import urbi.thread.InternalFailure;
 
 /**
  * Listens for clients of rosbridge. The protocol of the WebSocket is here, and not of a library:
@@ -84,7 +87,9 @@ public final class BridgeServer implements AutoCloseable {
       socket.setReuseAddress(true);
       socket.bind(new InetSocketAddress(address, port));
       BridgeServer made = new BridgeServer(node, socket, Set.copyOf(origins), token, people);
-      Thread.ofPlatform().daemon().name("urbi-ros-bridge").start(made::accept);
+      AcceptLoop loop =
+          new AcceptLoop("urbi-ros-bridge-in", socket, made.new Guests(), made::tell, PAUSE);
+      GuardedThreads.SDK.platform("urbi-ros-bridge", loop).start();
       return made;
     } catch (IOException | IllegalArgumentException e) {
       throw new RosException("no bridge at " + host + ":" + port + ": " + e.getMessage(), e);
@@ -100,17 +105,31 @@ public final class BridgeServer implements AutoCloseable {
     return clients.size();
   }
 
-  private void accept() {
-    while (!server.isClosed()) {
-      try {
-        Socket socket = server.accept();
-        addWaiting(socket);
-        Thread.ofVirtual().name("urbi-ros-bridge-in").start(() -> serve(socket));
-      } catch (IOException e) {
-        if (!server.isClosed()) {
-          people.accept("rosbridge: " + e.getMessage());
-          pause();
-        }
+  private void tell(String what) {
+    people.accept("rosbridge: " + what);
+  }
+
+  /** Whoever connects. */
+  private final class Guests implements AcceptLoop.Clients {
+    @Override
+    public boolean arrives(Socket socket) {
+      addWaiting(socket);
+      return true;
+    }
+
+    @Override
+    public void serve(Socket socket) throws IOException {
+      serveGuest(socket);
+    }
+
+    @Override
+    public void leaves(Socket socket) {
+      synchronized (waiting) {
+        waiting.remove(socket);
+        clients.remove(socket);
+      }
+      if (server.isClosed()) {
+        endAll();
       }
     }
   }
@@ -135,8 +154,8 @@ public final class BridgeServer implements AutoCloseable {
     }
   }
 
-  private void serve(Socket socket) {
-    try (socket) {
+  private void serveGuest(Socket socket) throws IOException {
+    try {
       socket.setTcpNoDelay(true);
       socket.setSoTimeout(PATIENCE);
       InputStream in = new BufferedInputStream(socket.getInputStream(), 1 << 16);
@@ -144,23 +163,9 @@ public final class BridgeServer implements AutoCloseable {
       if (isLetIn(in, out, socket)) {
         new BridgeClient(node, new WebSocket(socket, in, out)).run();
       }
-    } catch (IOException e) {
-      // It has gone, or was let go: it knows.
     } catch (RuntimeException | Error e) {
-      people.accept("rosbridge: internal error: " + e);
+      tell(InternalFailure.text(e));
       throw e;
-    } finally {
-      leave(socket);
-      if (server.isClosed()) {
-        endAll();
-      }
-    }
-  }
-
-  private void leave(Socket socket) {
-    synchronized (waiting) {
-      waiting.remove(socket);
-      clients.remove(socket);
     }
   }
 
@@ -186,7 +191,7 @@ public final class BridgeServer implements AutoCloseable {
       good = true;
     } catch (BridgeException e) {
       String status = String.valueOf(e.getMessage());
-      people.accept("rosbridge: refused " + socket.getInetAddress() + ": " + status);
+      tell("refused " + socket.getInetAddress() + ": " + status);
       if (status.startsWith("401")) {
         pause();
       }
@@ -217,7 +222,7 @@ public final class BridgeServer implements AutoCloseable {
     try {
       server.close();
     } catch (IOException e) {
-      people.accept("rosbridge: " + e.getMessage());
+      tell(String.valueOf(e.getMessage()));
     }
     endAll();
   }

@@ -3,10 +3,9 @@ package org.urbi.ros.bridge;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
-import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.Failures;
 
 /** What a client is told: as texts, in pieces, in a PNG or in CBOR if it has asked for that. */
 final class Replies {
@@ -55,15 +54,7 @@ final class Replies {
 
   /** What people are told of a failure. */
   static String reason(Throwable failure) {
-    Throwable cause =
-        failure instanceof CompletionException && failure.getCause() != null
-            ? failure.getCause()
-            : failure;
-    boolean ours =
-        cause instanceof BridgeException
-            || cause instanceof RosException
-            || cause instanceof IllegalArgumentException;
-    return ours ? String.valueOf(cause.getMessage()) : "internal error: " + cause;
+    return Failures.told("a server of rosbridge", failure);
   }
 
   /** An answer to what was asked. */

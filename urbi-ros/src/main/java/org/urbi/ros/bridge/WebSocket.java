@@ -34,6 +34,7 @@ final class WebSocket implements AutoCloseable {
   private static final int NOT_TEXT = 1003;
   private static final int NOT_UTF = 1007;
   private static final int TOO_LONG = 1009;
+  private static final int DEFECT = 1011;
 
   private final Socket socket;
   private final InputStream in;
@@ -67,6 +68,9 @@ final class WebSocket implements AutoCloseable {
       return message();
     } catch (Violation e) {
       sayGoodBye(e.status, String.valueOf(e.getMessage()));
+      throw e;
+    } catch (RuntimeException | Error e) {
+      sayGoodBye(DEFECT, "internal error");
       throw e;
     }
   }

@@ -9,6 +9,7 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.urbi.ros.graph.RosException;
+import urbi.thread.GuardedThreads;
 
 /**
  * Keeps a master informed: looks again and again whether it is there, and tells it everything when
@@ -31,9 +32,7 @@ final class MasterWatch implements AutoCloseable {
   MasterWatch(Api master, Consumer<Boolean> listener) {
     this.master = master;
     this.listener = listener;
-    thread =
-        new ScheduledThreadPoolExecutor(
-            1, task -> Thread.ofPlatform().daemon().name("urbi-ros-master").unstarted(task));
+    thread = GuardedThreads.SDK.clock("urbi-ros-master");
     thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     thread.scheduleWithFixedDelay(this::look, 0, PERIOD, TimeUnit.MILLISECONDS);
   }

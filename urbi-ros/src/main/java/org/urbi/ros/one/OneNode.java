@@ -30,6 +30,7 @@ import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.TypeHash;
 import org.urbi.ros.time.WallClock;
+import urbi.thread.InternalFailure;
 
 /** A node of ROS 1. The master may come later, go, and come back. */
 public final class OneNode implements Node {
@@ -291,10 +292,9 @@ public final class OneNode implements Node {
     } catch (CompletionException e) {
       // The master has just gone: the next look notices.
       seen = null;
-    } catch (RuntimeException e) {
-      // A listener's failure: it is told, and the node goes on.
-      Thread self = Thread.currentThread();
-      self.getUncaughtExceptionHandler().uncaughtException(self, e);
+    } catch (RuntimeException | Error e) {
+      // A listener's failure: the node goes on.
+      InternalFailure.log("a listener to the graph", e);
     }
   }
 

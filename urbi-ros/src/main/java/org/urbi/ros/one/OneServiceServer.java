@@ -6,10 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
-import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
+import org.urbi.ros.graph.Failures;
 import org.urbi.ros.graph.ServiceServer;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.ServiceType;
@@ -100,20 +99,12 @@ final class OneServiceServer implements ServiceServer {
       answer =
           responses.encode(handler.answer(requests.decode(request)).toCompletableFuture().join());
       done = true;
-    } catch (CompletionException e) {
-      answer = reason(e.getCause() == null ? e : e.getCause());
-    } catch (CodecException e) {
-      answer = reason(e);
-    } catch (RuntimeException e) {
-      answer = reason(e);
+    } catch (RuntimeException | Error e) {
+      answer = Failures.told("the service " + service, e).getBytes(StandardCharsets.UTF_8);
     }
     connection.writeByte(done ? 1 : 0);
     connection.write(answer);
     connection.flush();
-  }
-
-  private static byte[] reason(Throwable failure) {
-    return String.valueOf(failure.getMessage()).getBytes(StandardCharsets.UTF_8);
   }
 
   @Override

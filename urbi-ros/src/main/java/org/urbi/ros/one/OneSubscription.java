@@ -5,11 +5,11 @@ import java.net.URI;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
+import org.urbi.ros.graph.Failures;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.DefinitionException;
@@ -152,10 +152,8 @@ final class OneSubscription implements Subscription {
         try (TcpRosConnection open = connect()) {
           pause = FIRST_PAUSE;
           hear(open, MessageCodec.of(shakeHands(open)));
-        } catch (CompletionException e) {
-          complain(e.getCause() == null ? e : e.getCause());
-        } catch (IOException | RuntimeException e) {
-          complain(e);
+        } catch (IOException | RuntimeException | Error e) {
+          complain(Failures.cause(e));
         }
         connected = false;
         if (!ended) {
@@ -167,13 +165,13 @@ final class OneSubscription implements Subscription {
 
     /** Says what is wrong: once, as long as it is the same. That a peer has gone is no failure. */
     private void complain(Throwable failure) {
-      String reason = String.valueOf(failure.getMessage());
-      boolean ours =
-          failure instanceof RuntimeException
-              && !(failure instanceof RosException && failure.getCause() != null);
-      if (!ended && ours && !reason.equals(complaint)) {
+      String reason = Failures.text(failure);
+      boolean isOfTheNetwork =
+          failure instanceof IOException
+              || failure instanceof RosException && failure.getCause() != null;
+      if (!ended && !isOfTheNetwork && !reason.equals(complaint)) {
         complaint = reason;
-        listener.failed(reason);
+        listener.failed(Failures.told("a subscription of " + topic, failure));
       }
     }
 

@@ -4,13 +4,19 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Duration;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.urbi.ros.net.AcceptLoop;
+import urbi.Log;
 
 /** Where other nodes connect to the topics and services of this one. */
 final class TcpRosServer implements AutoCloseable {
   private static final int MAX_CONNECTIONS = 1024;
+
+  /** After somebody could not be served. */
+  private static final Duration PAUSE = Duration.ofSeconds(1);
 
   private final ServerSocket socket;
   private final OneNode node;
@@ -22,34 +28,34 @@ final class TcpRosServer implements AutoCloseable {
   }
 
   void start() {
-    Threads.start("connections", this::accept);
+    AcceptLoop loop = new AcceptLoop("urbi-ros-connection", socket, new Peers(), Log::error, PAUSE);
+    Threads.start("connections", loop::run);
   }
 
   int port() {
     return socket.getLocalPort();
   }
 
-  private void accept() throws IOException {
-    while (!socket.isClosed()) {
-      Socket peer = socket.accept();
-      if (peers.size() >= MAX_CONNECTIONS) {
-        peer.close();
-        continue;
+  private final class Peers implements AcceptLoop.Clients {
+    @Override
+    public boolean arrives(Socket peer) {
+      return peers.size() < MAX_CONNECTIONS && peers.add(peer);
+    }
+
+    @Override
+    public void serve(Socket peer) throws IOException {
+      try (TcpRosConnection connection = new TcpRosConnection(peer)) {
+        servePeer(connection);
       }
-      peers.add(peer);
-      Threads.start(
-          "connection",
-          () -> {
-            try (TcpRosConnection connection = new TcpRosConnection(peer)) {
-              serve(connection);
-            } finally {
-              peers.remove(peer);
-            }
-          });
+    }
+
+    @Override
+    public void leaves(Socket peer) {
+      peers.remove(peer);
     }
   }
 
-  private void serve(TcpRosConnection connection) throws IOException {
+  private void servePeer(TcpRosConnection connection) throws IOException {
     Map<String, String> header = connection.readHeader();
     String topic = header.get(ConnectionHeader.TOPIC);
     String service = header.get(ConnectionHeader.SERVICE);

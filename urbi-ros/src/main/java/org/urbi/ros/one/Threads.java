@@ -2,11 +2,12 @@ package org.urbi.ros.one;
 
 import java.io.IOException;
 import java.util.concurrent.Executor;
+import urbi.thread.GuardedThreads;
 
 /** The threads of a node: each waits for one peer, and none keeps the program from ending. */
 final class Threads {
   /** Where what has come is worked on. */
-  static final Executor POOL = task -> Thread.ofVirtual().name("urbi-ros-task").start(task);
+  static final Executor POOL = GuardedThreads.SDK.virtualThreads("urbi-ros-task");
 
   private Threads() {}
 
@@ -15,17 +16,19 @@ final class Threads {
     void run() throws IOException, InterruptedException;
   }
 
-  /** Starts a thread that ends with its connection, in silence: its owner notices by itself. */
+  /** Starts a thread that ends with its connection: its owner notices that by itself. */
   static Thread start(String name, Work work) {
-    return Thread.ofVirtual()
-        .name("urbi-ros-" + name)
-        .start(() -> {
+    Runnable body =
+        () -> {
           try {
             work.run();
           } catch (IOException | InterruptedException e) {
             // The peer has gone, or we have: whoever waits is told by what ends the connection.
             Thread.currentThread().interrupt();
           }
-        });
+        };
+    Thread thread = GuardedThreads.SDK.virtual("urbi-ros-" + name, body);
+    thread.start();
+    return thread;
   }
 }

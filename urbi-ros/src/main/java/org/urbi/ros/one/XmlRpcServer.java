@@ -9,10 +9,14 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.urbi.ros.graph.Failures;
+import org.urbi.ros.net.AcceptLoop;
+import urbi.Log;
 
 /** Answers calls of the master and of other nodes: as much of HTTP as XML-RPC needs. */
 final class XmlRpcServer implements AutoCloseable {
@@ -23,6 +27,9 @@ final class XmlRpcServer implements AutoCloseable {
 
   /** Milliseconds: who says nothing for so long is let go. */
   private static final int SILENCE = 30_000;
+
+  /** After somebody could not be served. */
+  private static final Duration PAUSE = Duration.ofSeconds(1);
 
   /** What answers. */
   interface Handler {
@@ -41,34 +48,32 @@ final class XmlRpcServer implements AutoCloseable {
   XmlRpcServer(InetAddress address, Handler handler) throws IOException {
     this.handler = handler;
     socket = new ServerSocket(0, 50, address);
-    Threads.start("calls", this::accept);
+    AcceptLoop loop = new AcceptLoop("urbi-ros-call", socket, new Callers(), Log::error, PAUSE);
+    Threads.start("calls", loop::run);
   }
 
   int port() {
     return socket.getLocalPort();
   }
 
-  private void accept() throws IOException {
-    while (!socket.isClosed()) {
-      Socket client = socket.accept();
-      if (clients.size() >= MAX_CONNECTIONS) {
-        client.close();
-        continue;
-      }
-      clients.add(client);
-      Threads.start(
-          "call",
-          () -> {
-            try (client) {
-              serve(client);
-            } finally {
-              clients.remove(client);
-            }
-          });
+  private final class Callers implements AcceptLoop.Clients {
+    @Override
+    public boolean arrives(Socket client) {
+      return clients.size() < MAX_CONNECTIONS && clients.add(client);
+    }
+
+    @Override
+    public void serve(Socket client) throws IOException {
+      serveCaller(client);
+    }
+
+    @Override
+    public void leaves(Socket client) {
+      clients.remove(client);
     }
   }
 
-  private void serve(Socket client) throws IOException {
+  private void serveCaller(Socket client) throws IOException {
     client.setSoTimeout(SILENCE);
     InputStream in = new BufferedInputStream(client.getInputStream());
     OutputStream out = client.getOutputStream();
@@ -113,6 +118,8 @@ final class XmlRpcServer implements AutoCloseable {
       return XmlRpcWriter.response(handler.call(call.method(), call.arguments()));
     } catch (XmlRpcException | RuntimeException e) {
       return XmlRpcWriter.fault(String.valueOf(e.getMessage()));
+    } catch (Error e) {
+      return XmlRpcWriter.fault(Failures.told("a call of a master or a node", e));
     }
   }
 

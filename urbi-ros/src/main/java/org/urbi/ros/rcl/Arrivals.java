@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import urbi.thread.GuardedThreads;
 
 /**
  * What the middleware tells that something has come. It does so on threads of its own, which hold
@@ -31,6 +32,8 @@ final class Arrivals implements AutoCloseable {
    */
   private static final MemorySegment CALLBACK = callback();
 
+  private static final Executor PATIENT = GuardedThreads.SDK.virtualThreads("urbi-ros-rcl-patient");
+
   private final BlockingQueue<Source> rung = new LinkedBlockingQueue<>();
   private final Consumer<Throwable> troubles;
   private final Source end = new Source(() -> {}, Runnable::run);
@@ -40,7 +43,7 @@ final class Arrivals implements AutoCloseable {
    */
   Arrivals(Consumer<Throwable> troubles) {
     this.troubles = troubles;
-    Thread.ofPlatform().daemon().name("urbi-ros-rcl").start(this::work);
+    GuardedThreads.SDK.platform("urbi-ros-rcl", this::work).start();
   }
 
   // C is given nothing else to call, and that with its signature.
@@ -82,7 +85,7 @@ final class Arrivals implements AutoCloseable {
 
   /** Something whose work may wait, in a thread of its own. */
   Source patientSource(Runnable work) {
-    return new Source(work, task -> Thread.ofVirtual().name("urbi-ros-rcl-patient").start(task));
+    return new Source(work, PATIENT);
   }
 
   /** Nothing is taken any more. */
@@ -111,17 +114,25 @@ final class Arrivals implements AutoCloseable {
     }
 
     private void run() {
-      executor.execute(() -> {
-        turn.lock();
+      try {
+        executor.execute(this::doWork);
+      } catch (RuntimeException | Error e) {
+        // No thread can be made now: it is taken with what comes next.
         isRung.set(false);
-        try {
-          work.run();
-        } catch (Throwable e) {
-          troubles.accept(e);
-        } finally {
-          turn.unlock();
-        }
-      });
+        troubles.accept(e);
+      }
+    }
+
+    private void doWork() {
+      turn.lock();
+      isRung.set(false);
+      try {
+        work.run();
+      } catch (Throwable e) {
+        troubles.accept(e);
+      } finally {
+        turn.unlock();
+      }
     }
 
     /** Has it rung by what a function of C announces. */

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.rcl.CFunctions.Structure;
+import urbi.thread.GuardedThreads;
 
 /**
  * A context of {@code rcl} with one node in it, and a thread that waits for changes of the graph.
@@ -57,8 +58,7 @@ final class Session implements AutoCloseable {
       endContext();
       throw e;
     }
-    waiting =
-        Thread.ofPlatform().daemon().name("urbi-ros-rcl-graph").unstarted(() -> await(changed));
+    waiting = GuardedThreads.SDK.platform("urbi-ros-rcl-graph", () -> await(changed));
   }
 
   private void initNode(String name) {
@@ -95,7 +95,8 @@ final class Session implements AutoCloseable {
         c.check("rcl_wait", waitSet, FOR_EVER);
         if (!closing) look(changed);
       }
-    } catch (RosException e) {
+    } catch (RuntimeException | Error e) {
+      // No change of the graph is heard of any more.
       troubles.accept(e);
     }
   }

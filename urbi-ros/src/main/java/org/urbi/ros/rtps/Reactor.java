@@ -8,6 +8,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiConsumer;
 import org.urbi.ros.time.SteadyClock;
+import urbi.thread.GuardedThreads;
 
 /**
  * The lock of a participant, its timers, and the calls to its listeners. Nothing runs while no
@@ -31,7 +32,7 @@ final class Reactor {
   /** {@code trouble} is told what a timer or a listener throws. */
   Reactor(String name, BiConsumer<String, Throwable> trouble) {
     this.trouble = trouble;
-    thread = Thread.ofPlatform().daemon().name(name).unstarted(this::run);
+    thread = GuardedThreads.SDK.platform(name, this::run);
     adopted = thread;
   }
 

@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
+import urbi.thread.GuardedThreads;
 
 /** The sockets of a participant, and the thread that receives from them. */
 final class UdpTransport implements DatagramSink {
@@ -168,7 +169,7 @@ final class UdpTransport implements DatagramSink {
 
   /** What receives, not started yet. */
   Thread receiving(String name, Receiver receiver) {
-    return Thread.ofPlatform().daemon().name(name).unstarted(() -> receive(receiver));
+    return GuardedThreads.SDK.platform(name, () -> receive(receiver));
   }
 
   private void receive(Receiver receiver) {

@@ -10,11 +10,11 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.RosException;
+import urbi.thread.GuardedThreads;
 
 /** Those who wait for something in the graph, of which a new node hears little by little. */
 public final class GraphSeekers {
-  private static final Executor TASKS =
-      task -> Thread.ofVirtual().name("urbi-ros-task").start(task);
+  private static final Executor TASKS = GuardedThreads.SDK.virtualThreads("urbi-ros-task");
 
   /** Seconds after which a node knows who is there, if nothing delays it. */
   private static final int FIRST_LOOK = 1;

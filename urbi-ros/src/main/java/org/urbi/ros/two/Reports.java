@@ -2,8 +2,8 @@ package org.urbi.ros.two;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
-import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
+import org.urbi.ros.graph.Failures;
 
 /**
  * Tells people what goes wrong, and the same thing only once: a peer may do it a thousand times a
@@ -25,18 +25,23 @@ public final class Reports {
 
   /** Tells it, unless it was told lately. */
   public void tell(String text) {
-    synchronized (told) {
-      if (!told.add(text)) return;
-      if (told.size() > MOST) told.remove(told.iterator().next());
-    }
-    people.accept(text);
+    if (isNew(text)) people.accept(text);
   }
 
-  /** Tells what has failed, and why. */
+  /** Tells what has failed, and why; a defect of ours is logged, too. */
   public void tell(String what, Throwable reason) {
-    Throwable cause = reason instanceof CompletionException ? reason.getCause() : null;
-    Throwable told = cause == null ? reason : cause;
-    String message = told.getMessage();
-    tell(what + ": " + (message == null ? told.getClass().getSimpleName() : message));
+    String text = what + ": " + Failures.text(reason);
+    if (isNew(text)) {
+      Failures.told(what, reason);
+      people.accept(text);
+    }
+  }
+
+  private boolean isNew(String text) {
+    synchronized (told) {
+      if (!told.add(text)) return false;
+      if (told.size() > MOST) told.remove(told.iterator().next());
+      return true;
+    }
   }
 }

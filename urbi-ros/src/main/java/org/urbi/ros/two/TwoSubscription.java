@@ -16,6 +16,7 @@ import org.urbi.ros.rtps.Reader;
 import org.urbi.ros.rtps.ReaderListener;
 import org.urbi.ros.rtps.Sample;
 import urbi.UDictionary;
+import urbi.thread.GuardedThreads;
 
 /**
  * What this node hears on a topic of ROS 2; its type is that of the first publisher, if it was not
@@ -117,7 +118,9 @@ final class TwoSubscription implements Subscription {
       if (us.info().qos().depth() != EndpointQos.KEEP_ALL) node.takeAll(us, this::received);
       // Where all are wanted, who listens may have us wait, but not all others of this node.
       else
-        Thread.ofVirtual().name("urbi-ros" + topic).start(() -> node.takeAll(us, this::received));
+        GuardedThreads.SDK
+            .virtual("urbi-ros" + topic, () -> node.takeAll(us, this::received))
+            .start();
     }
 
     private void received(Sample sample) {

@@ -15,7 +15,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.logging.Logger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -127,6 +129,36 @@ class HostilePeersTest {
         assertTrue(heard.messages.isEmpty());
       }
       subscription.close();
+    }
+  }
+
+  /** A service whose code lacks a class answers all the same, and goes on. */
+  @Test
+  void anErrorInAService() throws Exception {
+    List<Throwable> logged = new CopyOnWriteArrayList<>();
+    Logger log = Logger.getLogger("UObjectJava");
+    log.setFilter(entry -> !logged.add(entry.getThrown()));
+    node.serve(
+        "/lacking",
+        node.definitions().service("std_srvs/Empty"),
+        request -> {
+          throw new NoClassDefFoundError("lost");
+        });
+    try (TcpRosConnection client = TcpRosConnection.to(here.getHostAddress(), node.port())) {
+      client.sendHeader(
+          Map.of("callerid", "/raw", "service", "/lacking", "md5sum", "*", "persistent", "1"));
+      client.readHeader();
+      for (int i = 1; i <= 2; i++) {
+        client.write(new byte[0]);
+        client.flush();
+        assertEquals(0, client.readByte());
+        assertEquals(
+            "internal error: java.lang.NoClassDefFoundError: lost",
+            new String(client.read(), StandardCharsets.UTF_8));
+        assertEquals(i, logged.size());
+      }
+    } finally {
+      log.setFilter(null);
     }
   }
 

@@ -1,0 +1,5 @@
+/** Listening for connections. */
+@NullMarked
+package org.urbi.ros.net;
+
+import org.jspecify.annotations.NullMarked;
