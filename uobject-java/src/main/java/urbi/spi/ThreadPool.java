@@ -1,19 +1,18 @@
 package urbi.spi;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import urbi.thread.GuardedThreads;
 
 /** The threads of one context. They are platform threads: their code may block. */
 public final class ThreadPool implements Executor, AutoCloseable {
   /** A thread without a task ends after that time. */
-  private static final long SECONDS_KEPT = 60;
+  private static final Duration KEPT = Duration.ofMinutes(1);
 
-  private final ThreadPoolExecutor threads;
+  private final ExecutorService threads;
   private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();
   private int limit;
   private int running;
@@ -22,14 +21,7 @@ public final class ThreadPool implements Executor, AutoCloseable {
    * @param name what the threads are called
    */
   public ThreadPool(String name) {
-    threads =
-        new ThreadPoolExecutor(
-            0,
-            Integer.MAX_VALUE,
-            SECONDS_KEPT,
-            TimeUnit.SECONDS,
-            new SynchronousQueue<>(),
-            GuardedThreads.SDK.numbered(name));
+    threads = GuardedThreads.SDK.pool(name, KEPT);
   }
 
   /** Limits the number of threads that run at a time; 0 for any number. */

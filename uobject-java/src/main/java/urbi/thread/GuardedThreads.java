@@ -1,9 +1,13 @@
 package urbi.thread;
 
+import java.time.Duration;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
@@ -100,12 +104,32 @@ public final class GuardedThreads {
   }
 
   /**
-   * Makes the threads of an executor: their names are numbered. What a task throws is logged if it
-   * was executed without a {@link java.util.concurrent.Future} that keeps it.
+   * As many threads as there are tasks at a time. What a task throws is logged if it was executed
+   * without a {@link java.util.concurrent.Future} that keeps it.
+   *
+   * @param name of the threads, which have a number besides
+   * @param kept how long a thread waits for its next task
    */
-  public ThreadFactory numbered(String name) {
+  public ExecutorService pool(String name, Duration kept) {
     AtomicInteger made = new AtomicInteger();
-    return body -> platform(name + made.getAndIncrement(), body);
+    return new ThreadPoolExecutor(
+        0,
+        Integer.MAX_VALUE,
+        kept.toMillis(),
+        TimeUnit.MILLISECONDS,
+        new SynchronousQueue<>(),
+        body -> platform(name + made.getAndIncrement(), body));
+  }
+
+  /**
+   * One thread for one task after the other. What a task throws is logged if it was executed
+   * without a {@link java.util.concurrent.Future} that keeps it.
+   *
+   * @param stackBytes the size of its stack
+   */
+  public ExecutorService single(String name, long stackBytes) {
+    return Executors.newSingleThreadExecutor(
+        body -> platform(name, stackBytes, body, failure -> {}));
   }
 
   /** One thread for tasks that have their time; a periodic one goes on whatever it has thrown. */

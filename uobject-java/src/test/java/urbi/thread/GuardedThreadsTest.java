@@ -3,12 +3,12 @@ package urbi.thread;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -80,16 +80,23 @@ class GuardedThreadsTest {
   @Test
   void isLoggedByExecutorsAndByTasksThatWait() throws Exception {
     var numbers = new AtomicInteger();
-    try (ExecutorService pool = Executors.newFixedThreadPool(1, threads.numbered("of-test-"))) {
+    try (ExecutorService pool = threads.pool("of-test-", Duration.ZERO)) {
       pool.execute(GuardedThreadsTest::fail);
-      pool.execute(numbers::incrementAndGet);
+    }
+    try (ExecutorService single = threads.single("of-test-single", 1 << 20)) {
+      single.execute(GuardedThreadsTest::fail);
+      single.execute(numbers::incrementAndGet);
     }
     try (ExecutorService clock = threads.clock("of-test-clock")) {
       clock.execute(GuardedThreadsTest::fail);
     }
     assertEquals(1, numbers.get());
     assertEquals(
-        List.of("the thread of-test-0 <- lost", "the thread of-test-clock <- lost"), logged);
+        List.of(
+            "the thread of-test-0 <- lost",
+            "the thread of-test-single <- lost",
+            "the thread of-test-clock <- lost"),
+        logged);
   }
 
   @Test

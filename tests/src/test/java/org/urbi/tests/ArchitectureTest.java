@@ -62,6 +62,8 @@ class ArchitectureTest {
 
   @ArchTest static final ArchTests orderOfPackages = ArchTests.in(RoomOrder.class);
 
+  @ArchTest static final ArchTests makersOfThreads = ArchTests.in(ThreadLaw.class);
+
   private static ArchRule dependsOnlyOn(String packageName, String... others) {
     return classes()
         .that()
@@ -138,7 +140,8 @@ class ArchitectureTest {
   static final ArchRule theSiteDependsOnColours =
       dependsOnlyOn("org.urbi.site", "org.urbi.lang.highlight");
 
-  @ArchTest static final ArchRule rosDependsOnTheSdkOnly =
+  @ArchTest
+  static final ArchRule rosDependsOnTheSdkOnly =
       dependsOnlyOn("org.urbi.ros..", "urbi.thread", "urbi");
 
   @ArchTest

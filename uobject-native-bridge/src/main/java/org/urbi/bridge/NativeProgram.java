@@ -5,6 +5,7 @@ import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 import urbi.remote.RemoteProgram;
+import urbi.thread.GuardedThreads;
 
 /**
  * A program of C++ with UObjects of its own, which has started this Java virtual machine in its
@@ -44,18 +45,18 @@ public final class NativeProgram {
     CompletableFuture<Integer> begun = new CompletableFuture<>();
     Runnable task =
         () -> {
-          int status = 1;
-          try {
-            status = run(words, program, () -> begun.complete(0));
-          } finally {
-            begun.complete(status);
-          }
-          if (ends) {
-            System.exit(status);
-          }
+          int status = run(words, program, () -> begun.complete(0));
+          ended(status, begun, ends);
         };
-    Thread.ofPlatform().name("urbi-main").daemon().start(task);
+    GuardedThreads.SDK.platform("urbi-main", task, defect -> ended(1, begun, ends)).start();
     return begun.join();
+  }
+
+  private static void ended(int status, CompletableFuture<Integer> begun, boolean ends) {
+    begun.complete(status);
+    if (ends) {
+      System.exit(status);
+    }
   }
 
   private static @Nullable NativeModule open(String[] words) {

@@ -100,8 +100,7 @@ final class RequestHandler {
   private static long failure(Throwable e, ValueWriter reply) {
     FAILURE.set(e);
     reply.restart();
-    String message = e.getMessage();
-    reply.plain(message == null || message.isEmpty() ? e.getClass().getSimpleName() : message);
+    reply.plain(RequestFailure.text(e));
     return Exchange.FAILED;
   }
 

@@ -36,7 +36,7 @@ final class TimeBudgetMonitor {
 
   void start() {
     meter.begin();
-    Thread.ofPlatform().daemon().name("urbi-shares").start(this::watch);
+    FailureLog.THREADS.platform("urbi-shares", this::watch).start();
   }
 
   /** Ends the thread: no lobby has a time limit any more. */
@@ -63,7 +63,7 @@ final class TimeBudgetMonitor {
   }
 
   private static void guarded(Runnable check) {
-    FailureLog.guarding("the watch over budgets", check).run();
+    FailureLog.THREADS.guarding("the watch over budgets", check).run();
   }
 
   private void check(KernelConnection connection, long window) {

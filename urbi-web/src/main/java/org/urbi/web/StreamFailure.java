@@ -28,13 +28,18 @@ public final class StreamFailure {
       return;
     }
     try {
-      System.getLogger(LOGGER).log(Level.ERROR, "internal error in " + doing, cause);
+      log(doing, cause);
     } finally {
       context
           .writeAndFlush(
               new CloseWebSocketFrame(WebSocketCloseStatus.INTERNAL_SERVER_ERROR, "internal error"))
           .addListener(ChannelFutureListener.CLOSE);
     }
+  }
+
+  /** Writes a defect of ours to the log of the process, with its stack. */
+  static void log(String where, Throwable defect) {
+    System.getLogger(LOGGER).log(Level.ERROR, "internal error in " + where, defect);
   }
 
   private static boolean isOfTheOtherEnd(Throwable cause) {

@@ -1,10 +1,9 @@
 package org.urbi.kernel.embed;
 
+import java.time.Duration;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -25,14 +24,7 @@ final class ListenerQueue<T> {
   private static final long CLOSE_TIMEOUT_SECONDS = 1;
 
   /** Daemons, and platform threads: a busy listener must not take a carrier from the kernel. */
-  static final Executor THREADS =
-      new ThreadPoolExecutor(
-          0,
-          Integer.MAX_VALUE,
-          5,
-          TimeUnit.SECONDS,
-          new SynchronousQueue<>(),
-          Thread.ofPlatform().daemon().name("urbi-listener-", 0).factory());
+  static final Executor THREADS = FailureLog.THREADS.pool("urbi-listener-", Duration.ofSeconds(5));
 
   private final Scheduler scheduler;
   private final Consumer<? super T> listener;

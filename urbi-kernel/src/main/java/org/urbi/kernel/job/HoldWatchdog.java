@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.journal.StopReason;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.WatchFailure;
 import org.urbi.kernel.time.Clock;
 
@@ -165,7 +166,7 @@ public final class HoldWatchdog {
   private synchronized void watchFromNowOn() {
     if (!started) {
       started = true;
-      Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
+      FailureLog.THREADS.platform("urbi-watch", this::watch).start();
     }
   }
 

@@ -52,7 +52,8 @@ public final class RecordingWriter implements AutoCloseable {
     this.file = file;
     this.trouble = trouble;
     blocks.add(MAGIC);
-    thread = Thread.ofPlatform().daemon().name("urbi-recorder").start(this::writeAll);
+    thread = FailureLog.THREADS.platform("urbi-recorder", this::writeAll);
+    thread.start();
   }
 
   /** Writes an entry, soon; by one thread. */

@@ -3,6 +3,7 @@ package org.urbi.kernel.log;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.urbi.kernel.error.Problem;
+import urbi.thread.GuardedThreads;
 
 /**
  * Logs the stack traces of Java failures: of bugs of ours, which urbiscript only sees as
@@ -13,6 +14,9 @@ import org.urbi.kernel.error.Problem;
  */
 public final class FailureLog {
   private static final String LOGGER = "urbi.kernel";
+
+  /** The threads of kernels, and of the programs around them: what ends one is logged here. */
+  public static final GuardedThreads THREADS = new GuardedThreads(FailureLog::internal);
 
   private FailureLog() {}
 
@@ -47,16 +51,5 @@ public final class FailureLog {
       // Memory is exhausted, or the log is broken: the failed code must continue all the same.
       System.err.println("urbi: " + message + ": " + failure + " (the log fails: " + unable + ")");
     }
-  }
-
-  /** Wraps the task of a thread, so that what it throws is logged. */
-  public static Runnable guarding(String where, Runnable task) {
-    return () -> {
-      try {
-        task.run();
-      } catch (Throwable failure) {
-        internal(where, failure);
-      }
-    };
   }
 }

@@ -19,7 +19,12 @@ public final class WatchFailure {
   public void met(Throwable failure) {
     if (!told && !(failure instanceof VirtualMachineError)) {
       told = true;
-      FailureLog.internal(where, failure);
+      try {
+        FailureLog.internal(where, failure);
+      } catch (RuntimeException | Error e) {
+        // Memory may be full since then; the next time there may be some to tell it.
+        told = false;
+      }
     }
   }
 }

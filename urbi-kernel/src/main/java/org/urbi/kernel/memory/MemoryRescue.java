@@ -41,6 +41,7 @@ final class MemoryRescue {
   private final Clock clock;
   private final LongSupplier worked;
   private final Heap heap;
+  private final Consumer<RuntimeException> log;
   private boolean told;
   private boolean began;
   private long since;
@@ -63,11 +64,13 @@ final class MemoryRescue {
   /**
    * @param clock real time
    * @param worked for how long the process has worked, by which it is given time to free memory
+   * @param log is told of a defect of one of the users, which the others must not suffer from
    */
-  MemoryRescue(Clock clock, LongSupplier worked, Heap heap) {
+  MemoryRescue(Clock clock, LongSupplier worked, Heap heap, Consumer<RuntimeException> log) {
     this.clock = clock;
     this.worked = worked;
     this.heap = heap;
+    this.log = log;
   }
 
   /** To be called several times a second. */
@@ -192,7 +195,7 @@ final class MemoryRescue {
         done = last.isDone();
       } catch (RuntimeException e) {
         asked = null;
-        tell(e);
+        log.accept(e);
       }
     }
     if (done) {
@@ -226,7 +229,7 @@ final class MemoryRescue {
       try {
         most.relieve();
       } catch (RuntimeException e) {
-        tell(e);
+        log.accept(e);
       }
       asked = most;
       relieved = true;
@@ -235,11 +238,11 @@ final class MemoryRescue {
   }
 
   /** Who cannot say it is not asked for anything. */
-  private static double growthOf(MemoryUser user) {
+  private double growthOf(MemoryUser user) {
     try {
       return user.growth();
     } catch (RuntimeException e) {
-      tell(e);
+      log.accept(e);
       return 0;
     }
   }
@@ -254,20 +257,14 @@ final class MemoryRescue {
     each(users, EXHAUSTED);
   }
 
-  /** A defect of one of them, which the others must not suffer from. */
-  static void tell(RuntimeException defect) {
-    Thread own = Thread.currentThread();
-    own.getUncaughtExceptionHandler().uncaughtException(own, defect);
-  }
-
   /** Tells all of them, even if one fails. */
-  private static void each(MemoryUser[] users, Consumer<MemoryUser> what) {
+  private void each(MemoryUser[] users, Consumer<MemoryUser> what) {
     Error fatal = null;
     for (MemoryUser user : users) {
       try {
         what.accept(user);
       } catch (RuntimeException e) {
-        tell(e);
+        log.accept(e);
       } catch (Error e) {
         fatal = e;
       }

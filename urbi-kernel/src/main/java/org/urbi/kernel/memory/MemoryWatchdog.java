@@ -2,6 +2,8 @@ package org.urbi.kernel.memory;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.log.WatchFailure;
 import org.urbi.kernel.outside.HeapUsage;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -31,9 +33,12 @@ public final class MemoryWatchdog {
 
   private static final long MILLISECOND = 1_000_000;
 
+  private static final String WHERE = "the watch over memory";
+
   private static final MemoryWatchdog OF_PROCESS = new MemoryWatchdog();
 
   private final Clock clock = new SystemClock();
+  private final WatchFailure failure = new WatchFailure(WHERE);
   private MemoryUser[] users = {};
   private @Nullable Thread thread;
 
@@ -99,7 +104,7 @@ public final class MemoryWatchdog {
     if (thread == null) {
       var heap = new HeapUsage();
       var worked = new WorkTime(clock, heap);
-      var rescue = new MemoryRescue(clock, worked, heap);
+      var rescue = new MemoryRescue(clock, worked, heap, failure::met);
       Thread made =
           Thread.ofPlatform()
               .daemon()
@@ -107,7 +112,7 @@ public final class MemoryWatchdog {
               .priority(Thread.MAX_PRIORITY)
               // It must not hold on to whatever the program has set up for its own threads.
               .inheritInheritableThreadLocals(false)
-              .unstarted(() -> watch(heap, worked, rescue));
+              .unstarted(FailureLog.THREADS.guarding(WHERE, () -> watch(heap, worked, rescue)));
       made.start();
       thread = made;
     }
@@ -143,11 +148,9 @@ public final class MemoryWatchdog {
         } else {
           look(rescue, known, closely);
         }
-      } catch (RuntimeException e) {
-        report(e);
-      } catch (Error e) {
+      } catch (RuntimeException | Error e) {
         // It goes on: others need it, and there may be memory again.
-        continue;
+        failure.met(e);
       } finally {
         looked(wanted);
       }
@@ -155,29 +158,19 @@ public final class MemoryWatchdog {
   }
 
   /** Loads what is needed where memory is exhausted; then that would fail, and be no more. */
-  private static void prepare(HeapUsage heap, WorkTime worked, MemoryUser user) {
+  private void prepare(HeapUsage heap, WorkTime worked, MemoryUser user) {
     try {
       heap.prepare();
       worked.prepare();
       user.prepare();
-    } catch (RuntimeException e) {
-      report(e);
-    } catch (Error e) {
+    } catch (RuntimeException | Error e) {
       // What is there of it is of use, and there may be memory again.
+      failure.met(e);
     }
   }
 
   private synchronized MemoryUser[] users() {
     return users;
-  }
-
-  /** It goes on after a defect, too, even if there is no memory to tell of it. */
-  private static void report(RuntimeException defect) {
-    try {
-      MemoryRescue.tell(defect);
-    } catch (RuntimeException | Error e) {
-      return;
-    }
   }
 
   private synchronized boolean takeFailure() {
@@ -197,7 +190,7 @@ public final class MemoryWatchdog {
     }
   }
 
-  private static void look(MemoryRescue rescue, MemoryUser[] known, boolean closely) {
+  private void look(MemoryRescue rescue, MemoryUser[] known, boolean closely) {
     try {
       if (closely) {
         rescue.collect();
@@ -206,6 +199,7 @@ public final class MemoryWatchdog {
     } catch (Error e) {
       // There is so little memory that not even a class can be loaded.
       rescue.rescue(known);
+      failure.met(e);
     }
   }
 

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -13,7 +14,6 @@ import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -47,8 +47,7 @@ public final class Outside implements Closeable {
   private final Confinement users;
   private final Disk disk;
   private final ExecutorService threads =
-      Executors.newCachedThreadPool(
-          Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
+      FailureLog.THREADS.pool("urbi-outside-", Duration.ofMinutes(1));
   private final Set<Closeable> open = Collections.newSetFromMap(new WeakHashMap<>());
   private @Nullable DirectoryWatch directories;
   private boolean closed;
@@ -156,7 +155,7 @@ public final class Outside implements Closeable {
       return;
     }
     try {
-      threads.execute(FailureLog.guarding("a thread for the outside", task));
+      threads.execute(task);
     } catch (RejectedExecutionException e) {
       // The kernel has ended.
     }
@@ -167,8 +166,7 @@ public final class Outside implements Closeable {
    * thread, because a virtual thread started by a job would run on the kernel thread.
    */
   public void startVirtual(Runnable task) {
-    Runnable guarded = FailureLog.guarding("a thread for the network", task);
-    start(() -> Thread.ofVirtual().start(guarded));
+    start(() -> FailureLog.THREADS.virtual("urbi-outside-network", task).start());
   }
 
   /**

@@ -12,6 +12,7 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Wait;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Outcome;
 import urbi.UContext;
 
@@ -87,10 +88,15 @@ final class NativeThread {
   }
 
   private void start() {
-    Thread made = new Thread(null, this::work, "urbi-component", STACK_BYTES);
-    made.setDaemon(true);
+    Thread made =
+        FailureLog.THREADS.platform("urbi-component", STACK_BYTES, this::work, this::failed);
     thread = made;
     made.start();
+  }
+
+  /** The kernel thread would wait for the call on top for ever. */
+  private void failed(Throwable defect) {
+    steps.add(new Returned(new Outcome(null, defect)));
   }
 
   private static @Nullable Object result(Outcome outcome) {

@@ -18,7 +18,9 @@ class MemoryRescueTest {
   private final VirtualClock clock = new VirtualClock();
   private final StringBuilder events = new StringBuilder();
   private final GivenHeap heap = new GivenHeap();
-  private final MemoryRescue rescue = new MemoryRescue(clock, clock::now, heap);
+  private final List<String> logged = new ArrayList<>();
+  private final MemoryRescue rescue =
+      new MemoryRescue(clock, clock::now, heap, defect -> logged.add(defect.getMessage()));
 
   @BeforeEach
   void memoryIsFull() {
@@ -208,61 +210,48 @@ class MemoryRescueTest {
 
   @Test
   void kernelWhoseProgramFailsDoesNotHarmTheOthers() {
-    List<Throwable> uncaught = new ArrayList<>();
-    Thread.currentThread().setUncaughtExceptionHandler((thread, thrown) -> uncaught.add(thrown));
-    try {
-      Kernel failing =
-          new Kernel("failing", 0) {
-            @Override
-            void tell(String what) {
-              throw new IllegalStateException(what);
-            }
-          };
-      run(0.25, failing, new Kernel("good", 10));
-      assertEquals("0.25 good full\n0.25 good ended\n", events.toString());
-      assertEquals("full", uncaught.getFirst().getMessage());
-    } finally {
-      Thread.currentThread().setUncaughtExceptionHandler(null);
-    }
+    Kernel failing =
+        new Kernel("failing", 0) {
+          @Override
+          void tell(String what) {
+            throw new IllegalStateException(what);
+          }
+        };
+    run(0.25, failing, new Kernel("good", 10));
+    assertEquals("0.25 good full\n0.25 good ended\n", events.toString());
+    assertEquals("full", logged.getFirst());
   }
 
   /** Whoever fails when it is asked counts as asked, and the others are asked in their turn. */
   @Test
   void whoFailsToGiveBackMemoryDoesNotEndTheRescue() {
-    List<String> uncaught = new ArrayList<>();
-    Thread.currentThread()
-        .setUncaughtExceptionHandler((thread, thrown) -> uncaught.add(thrown.getMessage()));
-    try {
-      Kernel failing =
-          new Kernel("failing", 20) {
-            @Override
-            public void relieve() {
-              super.relieve();
-              throw new IllegalStateException("relieve");
-            }
-          };
-      Kernel dumb =
-          new Kernel("dumb", 30) {
-            @Override
-            public double growth() {
-              throw new IllegalStateException("growth");
-            }
-          };
-      run(2.25, failing, dumb, new Kernel("good", 10));
-      assertEquals(
-          """
-          0.25 failing full
-          0.25 dumb full
-          0.25 good full
-          0.25 failing ended
-          1.25 failing gone
-          2.25 good ended
-          """,
-          events.toString());
-      assertEquals(List.of("growth", "relieve", "growth", "relieve", "growth"), uncaught);
-    } finally {
-      Thread.currentThread().setUncaughtExceptionHandler(null);
-    }
+    Kernel failing =
+        new Kernel("failing", 20) {
+          @Override
+          public void relieve() {
+            super.relieve();
+            throw new IllegalStateException("relieve");
+          }
+        };
+    Kernel dumb =
+        new Kernel("dumb", 30) {
+          @Override
+          public double growth() {
+            throw new IllegalStateException("growth");
+          }
+        };
+    run(2.25, failing, dumb, new Kernel("good", 10));
+    assertEquals(
+        """
+        0.25 failing full
+        0.25 dumb full
+        0.25 good full
+        0.25 failing ended
+        1.25 failing gone
+        2.25 good ended
+        """,
+        events.toString());
+    assertEquals(List.of("growth", "relieve", "growth", "relieve", "growth"), logged);
   }
 
   /** To look at the heap takes some memory, too. What was kept for that is kept again later. */

@@ -14,6 +14,7 @@ import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.lobby.ErrorStyle;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.server.console.Console;
 import org.urbi.server.console.ConsoleOutput;
 import org.urbi.server.console.PipeInput;
@@ -143,7 +144,7 @@ final class LocalConsole implements AutoCloseable {
             inputEnded();
           }
         };
-    Thread.ofPlatform().daemon().name("urbi-input").start(guarded);
+    FailureLog.THREADS.platform("urbi-input", guarded).start();
   }
 
   private void readStream() {

@@ -17,6 +17,7 @@ import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.KernelBuilder;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.isolated.IsolatedProcesses;
@@ -113,7 +114,7 @@ final class Server {
       }
       if (network != null) {
         // Beside the start, which it would delay.
-        Thread.ofPlatform().daemon().name("urbi-heap").start(ServerHeap::keepRoom);
+        FailureLog.THREADS.platform("urbi-heap", ServerHeap::keepRoom).start();
       }
       var local = new LocalConsole(settings, started, this::connect, this::end, out, err);
       console = local;

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.WatchFailure;
 import org.urbi.kernel.time.Clock;
 
@@ -53,7 +54,7 @@ final class Watchdog {
   }
 
   void start() {
-    Thread thread = Thread.ofPlatform().daemon().name("urbi-watchdog").unstarted(this::watch);
+    Thread thread = FailureLog.THREADS.platform("urbi-watchdog", this::watch);
     thread.setPriority(Thread.MAX_PRIORITY);
     thread.start();
   }

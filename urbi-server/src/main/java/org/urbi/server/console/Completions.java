@@ -5,6 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -14,6 +15,7 @@ import org.jline.reader.Completer;
 import org.jline.reader.LineReader;
 import org.jline.reader.ParsedLine;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.FailureLog;
 
 /**
  * Completes what is typed at a terminal. An answer that is there at once is the editor's, which
@@ -29,6 +31,9 @@ final class Completions implements Completer {
 
   /** The editor's name of what shows a late answer. */
   private static final String SHOW_LATE = "show-late-completions";
+
+  /** Where it is shown: a terminal that stands still would hold who answers. */
+  private static final Executor LATE = FailureLog.THREADS.virtualThreads("urbi-completions");
 
   private record Question(
       String text, String word, CompletableFuture<? extends Collection<String>> names) {}
@@ -64,8 +69,7 @@ final class Completions implements Completer {
       }
     } catch (TimeoutException e) {
       pending = asked;
-      // A thread of its own, because a terminal that stands still would hold who answers.
-      asked.names().thenRunAsync(() -> answered(reader), Thread::startVirtualThread);
+      asked.names().thenRun(() -> LATE.execute(() -> answered(reader)));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException e) {

@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.locks.LockSupport;
+import org.urbi.kernel.log.FailureLog;
 
 /**
  * The messages of a server, which somebody may read or not: who writes one never waits. They are
@@ -48,7 +49,7 @@ public final class ErrorOutput implements AutoCloseable {
    */
   public ErrorOutput(OutputStream stream) {
     this.stream = stream;
-    writer = Thread.ofPlatform().daemon().name("urbi-errors").unstarted(this::write);
+    writer = FailureLog.THREADS.platform("urbi-errors", this::write);
     writer.start();
     // It lets in one at a time.
     messages = new PrintStream(new Filler(), true, StandardCharsets.UTF_8);

@@ -54,7 +54,7 @@ public final class StandardOutput implements ConsoleOutput {
     this.stream = stream;
     this.serves = serves;
     this.lost = lost;
-    writer = Thread.ofPlatform().daemon().name("urbi-output").unstarted(this::write);
+    writer = FailureLog.THREADS.platform("urbi-output", this::write);
     writer.start();
   }
 

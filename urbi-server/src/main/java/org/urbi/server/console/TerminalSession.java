@@ -22,6 +22,7 @@ import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.server.source.SourceText;
 
 /**
@@ -193,7 +194,8 @@ public final class TerminalSession implements AutoCloseable {
     }
     return FileNames.typed(text) == null
         ? asked.complete(SourceText.bytes(text))
-        : CompletableFuture.supplyAsync(() -> files.of(text), Thread::startVirtualThread);
+        : CompletableFuture.supplyAsync(
+            () -> files.of(text), FailureLog.THREADS.virtualThreads("urbi-file-names"));
   }
 
   /** Restores the terminal; a thread that still reads from it sees the end of the input. */

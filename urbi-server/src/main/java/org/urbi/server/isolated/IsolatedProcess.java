@@ -14,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.remote.ModuleProcess;
 import org.urbi.kernel.remote.RemotePeer;
@@ -74,8 +75,7 @@ final class IsolatedProcess implements ModuleProcess {
       ModuleNetwork.Entrance opened = network.open(peer);
       Process running = start(opened);
       if (running != null) {
-        Thread reader = thread("urbi-module-output", () -> output.read(running.getInputStream()));
-        thread("urbi-module-end", () -> awaitEnd(running, opened, reader));
+        attend(running, opened);
         sendTask(running, opened);
         after(startLimit.toMillis())
             .execute(() -> {
@@ -87,6 +87,29 @@ final class IsolatedProcess implements ModuleProcess {
     } catch (IOException e) {
       peer.ended(said("cannot be run: " + e.getMessage()));
     }
+  }
+
+  /** Reads what it says, and tells when it has ended; without that it must not run. */
+  private void attend(Process running, ModuleNetwork.Entrance opened) {
+    Thread reader =
+        FailureLog.THREADS.platform(
+            "urbi-module-output", () -> output.read(running.getInputStream()));
+    Thread end =
+        FailureLog.THREADS.platform(
+            "urbi-module-end", () -> awaitEnd(running, opened, reader), this::failed);
+    try {
+      reader.start();
+      end.start();
+    } catch (OutOfMemoryError e) {
+      opened.close();
+      failed(e);
+      throw e;
+    }
+  }
+
+  private void failed(Throwable defect) {
+    kill(FailureLog.text(defect));
+    peer.ended(said(FailureLog.text(defect)));
   }
 
   private synchronized @Nullable Process start(ModuleNetwork.Entrance opened) throws IOException {
@@ -152,11 +175,9 @@ final class IsolatedProcess implements ModuleProcess {
   /** On a thread of its own: those that the program around the kernel shares may all be blocked. */
   private static Executor after(long milliseconds) {
     return CompletableFuture.delayedExecutor(
-        milliseconds, TimeUnit.MILLISECONDS, work -> thread("urbi-module-limit", work));
-  }
-
-  private static Thread thread(String name, Runnable work) {
-    return Thread.ofPlatform().daemon().name(name).start(work);
+        milliseconds,
+        TimeUnit.MILLISECONDS,
+        work -> FailureLog.THREADS.platform("urbi-module-limit", work).start());
   }
 
   @Override

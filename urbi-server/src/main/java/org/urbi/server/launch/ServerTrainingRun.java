@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.urbi.bridge.NativeThreads;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.server.cli.RawArguments;
 import org.urbi.server.cli.UrbiCommand;
 
@@ -27,11 +28,10 @@ public final class ServerTrainingRun {
     Path folder = Path.of(words[0]);
     String portFile = folder.resolve("port").toString();
     String remote = folder.resolve("remote.jar").toString();
-    Thread.ofPlatform()
-        .daemon()
-        .start(() ->
-            UrbiLaunchJava.run(
-                new String[] {"--wait", "--port-file", portFile, remote}, System.out, System.err));
+    String[] component = {"--wait", "--port-file", portFile, remote};
+    FailureLog.THREADS
+        .platform("urbi-training", () -> UrbiLaunchJava.run(component, System.out, System.err))
+        .start();
     // A library that is none loads what would find its functions all the same.
     Path none = Files.createFile(folder.resolve("none.so"));
     UrbiLaunch.run(new String[] {"--describe", none.toString()}, System.out, System.err);

@@ -10,12 +10,9 @@ import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.ChannelPipeline;
 import io.netty.channel.EventLoopGroup;
-import io.netty.channel.MultiThreadIoEventLoopGroup;
 import io.netty.channel.group.ChannelGroup;
 import io.netty.channel.group.DefaultChannelGroup;
-import io.netty.channel.nio.NioIoHandler;
 import io.netty.handler.ssl.SslContext;
-import io.netty.util.concurrent.DefaultThreadFactory;
 import io.netty.util.concurrent.GlobalEventExecutor;
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -28,6 +25,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.kernel.time.Clock;
@@ -36,6 +34,7 @@ import org.urbi.server.Trace;
 import org.urbi.server.Version;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.TokenThrottle;
+import org.urbi.web.NetworkLoop;
 
 /**
  * Listens for telnet-like clients and gives each its lobby (options {@code --host}, {@code --port}
@@ -141,11 +140,7 @@ public final class ConsoleServer implements AutoCloseable {
     this.limits = limits;
     this.accessPolicy = accessPolicy;
     this.trace = trace;
-    loop =
-        new MultiThreadIoEventLoopGroup(
-            1,
-            new DefaultThreadFactory("urbi-network", true),
-            PersistentIoHandler.around(NioIoHandler.newFactory()));
+    loop = NetworkLoop.group("urbi-network", FailureLog::internal);
     datagrams = new DatagramPort(loop, this::datagramAddress, trace);
     totalOutput = new TotalOutput(limits.totalOutput());
     crowd = new ConnectionLimit(clients, limits.connections(), trace);

@@ -11,6 +11,7 @@ import io.netty.channel.FixedRecvByteBufAllocator;
 import io.netty.channel.SimpleChannelInboundHandler;
 import io.netty.channel.socket.DatagramPacket;
 import io.netty.channel.socket.nio.NioDatagramChannel;
+import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -19,6 +20,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.WatchFailure;
 import org.urbi.server.Trace;
 import urbi.rtp.RtpSession;
 
@@ -43,6 +45,7 @@ final class DatagramPort {
   private final Trace trace;
   private final Map<Long, Receiver> receivers = new HashMap<>();
   private final List<Request> waiting = new ArrayList<>();
+  private final WatchFailure failure = new WatchFailure("taking datagrams");
   private @Nullable Channel channel;
   private long refused;
 
@@ -142,7 +145,11 @@ final class DatagramPort {
     @Override
     public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
       // A datagram could not be sent or received: it is lost, as any datagram may be.
-      trace.debug("a datagram is lost: " + cause.getMessage());
+      if (cause instanceof IOException) {
+        trace.debug("a datagram is lost: " + cause.getMessage());
+      } else {
+        failure.met(cause);
+      }
     }
   }
 }

@@ -8,10 +8,7 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.EventLoopGroup;
-import io.netty.channel.MultiThreadIoEventLoopGroup;
 import io.netty.channel.SimpleChannelInboundHandler;
-import io.netty.channel.nio.NioIoHandler;
-import io.netty.util.concurrent.DefaultThreadFactory;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -20,6 +17,7 @@ import java.security.SecureRandom;
 import java.util.HexFormat;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.trust.Role;
@@ -28,6 +26,7 @@ import org.urbi.server.Version;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.TokenThrottle;
 import org.urbi.server.trust.Tokens;
+import org.urbi.web.NetworkLoop;
 
 /**
  * The connections of processes that the server has started for modules. Each gets a port of its
@@ -100,7 +99,12 @@ public final class ModuleNetwork implements AutoCloseable {
 
                 @Override
                 public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-                  trace.debug("a module's connection is lost: " + cause);
+                  if (cause instanceof IOException) {
+                    trace.debug("a module's connection is lost: " + cause);
+                  } else {
+                    FailureLog.internal("the connection of a module", cause);
+                    peer.lost(FailureLog.text(cause));
+                  }
                   context.close();
                 }
               });
@@ -153,11 +157,7 @@ public final class ModuleNetwork implements AutoCloseable {
       throw new IOException("the server has ended");
     }
     if (loop == null) {
-      loop =
-          new MultiThreadIoEventLoopGroup(
-              1,
-              new DefaultThreadFactory("urbi-modules", true),
-              PersistentIoHandler.around(NioIoHandler.newFactory()));
+      loop = NetworkLoop.group("urbi-modules", FailureLog::internal);
     }
     return loop;
   }

@@ -71,8 +71,8 @@ final class CodeDesk {
             (mistakes, failure) -> {
               checking = false;
               send(
-                  mistakes == null
-                      ? Answer.done(request.id(), "this text is too much to be checked")
+                  failure != null
+                      ? Answer.done(request.id(), SyntaxCheck.reason(failure))
                       : CodeAnswer.mistakes(request.id(), mistakes));
             },
             channel.eventLoop());

@@ -2,8 +2,9 @@ package org.urbi.server.studio;
 
 import io.netty.channel.Channel;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
-import org.jspecify.annotations.Nullable;
+import java.util.concurrent.RejectedExecutionException;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.studio.files.FileRefused;
 import org.urbi.server.studio.files.Folders;
@@ -59,7 +60,7 @@ final class FileDesk {
         .whenCompleteAsync(
             (answer, failure) -> {
               busy = false;
-              send(answer == null ? Answer.done(request.id(), reason(failure)) : answer);
+              send(failure != null ? Answer.done(request.id(), reason(failure)) : answer);
             },
             channel.eventLoop());
   }
@@ -73,10 +74,15 @@ final class FileDesk {
     };
   }
 
-  private static String reason(@Nullable Throwable failure) {
-    return failure instanceof FileRefused refused
-        ? String.valueOf(refused.getMessage())
-        : "internal error: " + failure;
+  private static String reason(Throwable failure) {
+    if (failure instanceof FileRefused refused) {
+      return String.valueOf(refused.getMessage());
+    }
+    if (failure instanceof RejectedExecutionException) {
+      return "nobody is served any more";
+    }
+    FailureLog.internal("the files of the studio", failure);
+    return FailureLog.text(failure);
   }
 
   private void send(String text) {

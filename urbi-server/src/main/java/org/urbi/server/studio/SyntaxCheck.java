@@ -2,6 +2,8 @@ package org.urbi.server.studio;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.RejectedExecutionException;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -44,6 +46,17 @@ final class SyntaxCheck implements AutoCloseable {
    */
   CompletableFuture<List<Mistake>> check(String text) {
     return worker.ask(() -> mistakes(text));
+  }
+
+  /** Why there is no answer, for people; a defect of ours is logged. */
+  static String reason(Throwable failure) {
+    if (failure instanceof TooLong
+        || failure instanceof StackOverflowError
+        || failure instanceof RejectedExecutionException) {
+      return "this text is too much to be checked";
+    }
+    FailureLog.internal("the look for mistakes", failure);
+    return FailureLog.text(failure);
   }
 
   private List<Mistake> mistakes(String text) {

@@ -3,8 +3,8 @@ package org.urbi.server.studio;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import org.urbi.kernel.log.FailureLog;
 
 /**
  * Does for browsers what takes its time, one thing after the other, on a thread of its own: neither
@@ -17,12 +17,7 @@ final class Worker implements AutoCloseable {
   private final ExecutorService thread;
 
   Worker(String name) {
-    thread =
-        Executors.newSingleThreadExecutor(work -> {
-          Thread made = new Thread(null, work, name, STACK_BYTES);
-          made.setDaemon(true);
-          return made;
-        });
+    thread = FailureLog.THREADS.single(name, STACK_BYTES);
   }
 
   /**

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.options.Arguments;
@@ -65,7 +66,8 @@ public final class UrbiPing {
             arguments, arguments.value("--host", rest.isEmpty() ? "127.0.0.1" : rest.get(0)));
     int interval = number(arguments, "--interval", rest, 1, DEFAULT_INTERVAL);
     int count = number(arguments, "--count", rest, 2, 0);
-    Thread summary = new Thread(() -> out.println(delayStatistics));
+    Thread summary =
+        FailureLog.THREADS.platform("urbi-ping-summary", () -> out.println(delayStatistics));
     try (ServerConnection server = target.connect()) {
       Runtime.getRuntime().addShutdownHook(summary);
       server.setReadTimeout(TIMEOUT_MILLISECONDS);

@@ -7,6 +7,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.server.net.OperatorRequest;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
@@ -68,7 +69,9 @@ public final class UrbiSend {
     String text = inputs.text() + (quit ? "quit;\n" : "");
     try (ServerConnection server = target.connect()) {
       // Writes while reading: a server whose answers are not read stops reading.
-      Thread.ofPlatform().daemon().start(() -> write(server, text));
+      FailureLog.THREADS
+          .platform("urbi-send", () -> write(server, text), defect -> end(server))
+          .start();
       if (!quit) {
         err.println("urbi-send: connected, hit Ctrl-C to end the connection.");
       }
@@ -103,6 +106,15 @@ public final class UrbiSend {
       throw Failure.of("the server hung up");
     } catch (IOException e) {
       throw Failure.of("no answer: " + e.getMessage());
+    }
+  }
+
+  /** Whoever reads gets to know that nothing more is sent. */
+  private static void end(ServerConnection server) {
+    try {
+      server.close();
+    } catch (IOException e) {
+      // It is closed, or will be.
     }
   }
 

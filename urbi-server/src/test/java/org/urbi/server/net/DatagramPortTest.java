@@ -9,6 +9,7 @@ import io.netty.channel.nio.NioIoHandler;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -17,9 +18,13 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
+import urbi.rtp.RtpSession;
 
 class DatagramPortTest {
   private static final InetAddress HERE = InetAddress.getLoopbackAddress();
@@ -84,6 +89,30 @@ class DatagramPortTest {
       assertToldInOrder(port);
       port.close();
     }
+  }
+
+  @Test
+  void aDatagramThatMeetsADefectIsNotTheLast() throws Exception {
+    byte[] bytes = {1};
+    DatagramPort port = port(new InetSocketAddress(HERE, 0));
+    AtomicInteger taken = new AtomicInteger();
+    port.add(
+        RtpSession.token(bytes, bytes.length),
+        (datagram, sender) -> {
+          if (taken.incrementAndGet() == 1) {
+            throw new NoClassDefFoundError("lost");
+          }
+          answers.add("taken");
+        });
+    loop.execute(() -> open(port, "open", () -> {}));
+    assertEquals("open", answers.take());
+    try (DatagramSocket sender = new DatagramSocket(0, HERE)) {
+      for (int i = 0; i < 2; i++) {
+        sender.send(new DatagramPacket(bytes, bytes.length, channels.get("open").localAddress()));
+      }
+      assertEquals("taken", answers.poll(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
+    }
+    port.close();
   }
 
   /** An address of another machine: everybody is told, and who asks later is served again. */

@@ -60,7 +60,7 @@ public final class McapRecorder implements AutoCloseable {
   private final Map<Integer, Integer> channels = new HashMap<>();
 
   private final Clock clock = new SystemClock();
-  private final Thread writer = new Thread(this::run, "urbi-mcap");
+  private final Thread writer = FailureLog.THREADS.platform("urbi-mcap", this::run);
   private long flushAt;
   private volatile boolean failed;
 
@@ -81,7 +81,6 @@ public final class McapRecorder implements AutoCloseable {
     topics.put(LOG, Topic.LOG);
     connection = connect.apply(new Observer());
     connection.feed(new Feed(), true, watched);
-    writer.setDaemon(true);
     writer.start();
   }
 
@@ -174,7 +173,7 @@ public final class McapRecorder implements AutoCloseable {
       end(String.valueOf(e.getMessage()));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-    } catch (RuntimeException | OutOfMemoryError e) {
+    } catch (RuntimeException | Error e) {
       FailureLog.internal("recording to " + path, e);
       end(FailureLog.text(e));
     }

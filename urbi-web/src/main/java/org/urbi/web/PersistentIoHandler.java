@@ -1,12 +1,10 @@
-package org.urbi.server.net;
+package org.urbi.web;
 
 import io.netty.channel.IoHandle;
 import io.netty.channel.IoHandler;
 import io.netty.channel.IoHandlerContext;
-import io.netty.channel.IoHandlerFactory;
 import io.netty.channel.IoRegistration;
 import java.util.function.BiConsumer;
-import org.urbi.kernel.log.FailureLog;
 
 /**
  * What a network thread waits with for its channels, and goes on with after an {@code Error}, such
@@ -30,11 +28,6 @@ final class PersistentIoHandler implements IoHandler {
   PersistentIoHandler(IoHandler handler, BiConsumer<String, Throwable> log) {
     this.handler = handler;
     this.log = log;
-  }
-
-  /** Makes such handlers around those of another factory. */
-  static IoHandlerFactory around(IoHandlerFactory factory) {
-    return executor -> new PersistentIoHandler(factory.newHandler(executor), FailureLog::internal);
   }
 
   @Override

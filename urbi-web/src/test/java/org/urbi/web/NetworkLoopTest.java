@@ -1,8 +1,10 @@
-package org.urbi.server.net;
+package org.urbi.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import io.netty.channel.EventLoopGroup;
 import io.netty.channel.IoHandle;
 import io.netty.channel.IoHandler;
 import io.netty.channel.IoHandlerContext;
@@ -12,13 +14,16 @@ import io.netty.channel.nio.NioIoHandler;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
-import org.urbi.server.TestTimeout;
 
-/** An {@code Error} between two channels does not end the network. */
-class PersistentIoHandlerTest {
+/** An {@code Error} on the thread of many connections does not end it. */
+class NetworkLoopTest {
+  /** Less than the limit of a test, so that it can say what it has waited for. */
+  private static final int SECONDS = Integer.getInteger("test.limit", 600) / 2;
+
   /** Fails so many times. */
   private static final class Failing implements IoHandler {
     private final IoHandler handler;
@@ -65,10 +70,30 @@ class PersistentIoHandlerTest {
                     (where, failure) -> told.add(where + ": " + failure.getMessage())));
     try {
       for (int i = 0; i < 100; i++) {
-        assertEquals(
-            "done", loop.submit(() -> "done").get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
+        assertEquals("done", loop.submit(() -> "done").get(SECONDS, TimeUnit.SECONDS));
       }
       assertEquals("the network thread: for a connection", told.getFirst());
+    } finally {
+      loop.shutdownGracefully(0, 1, TimeUnit.SECONDS).sync();
+    }
+  }
+
+  @Test
+  void tasksThatHaveTheirTimeGoOnAndAreTold() throws Exception {
+    List<String> told = new CopyOnWriteArrayList<>();
+    EventLoopGroup loop =
+        NetworkLoop.group("of-test", (where, failure) -> told.add(where + ": " + failure));
+    try {
+      CountDownLatch runs = new CountDownLatch(2);
+      Runnable failing =
+          () -> {
+            runs.countDown();
+            throw new NoClassDefFoundError("lost");
+          };
+      loop.next().scheduleAtFixedRate(failing, 0, 1, TimeUnit.MICROSECONDS);
+      loop.next().schedule(failing, 0, TimeUnit.SECONDS);
+      assertTrue(runs.await(SECONDS, TimeUnit.SECONDS), told::toString);
+      assertEquals("the thread of-test: java.lang.NoClassDefFoundError: lost", told.getFirst());
     } finally {
       loop.shutdownGracefully(0, 1, TimeUnit.SECONDS).sync();
     }

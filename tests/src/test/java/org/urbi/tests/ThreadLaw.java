@@ -1,0 +1,63 @@
+package org.urbi.tests;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static java.util.Map.entry;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Threads are made in two places, which log what ends one and tell who depends on it: {@code
+ * GuardedThreads}, and {@code NetworkLoop} for those of Netty. Nothing ends in silence.
+ */
+final class ThreadLaw {
+  private ThreadLaw() {}
+
+  /** Classes, and the names of their methods that make threads; empty for all of them. */
+  private static final Map<String, Set<String>> MAKERS =
+      Map.ofEntries(
+          entry(
+              "java.lang.Thread",
+              Set.of("<init>", "startVirtualThread", "ofPlatform", "ofVirtual")),
+          entry("java.util.concurrent.Executors", Set.of()),
+          entry("java.util.concurrent.ForkJoinPool", Set.of("<init>")),
+          entry("java.util.concurrent.ScheduledThreadPoolExecutor", Set.of("<init>")),
+          entry("java.util.concurrent.ThreadPoolExecutor", Set.of("<init>")),
+          entry("java.util.Timer", Set.of("<init>")),
+          entry("io.netty.channel.MultiThreadIoEventLoopGroup", Set.of("<init>")),
+          entry("io.netty.channel.SingleThreadIoEventLoop", Set.of("<init>")),
+          entry("io.netty.util.concurrent.DefaultThreadFactory", Set.of("<init>")));
+
+  private static final DescribedPredicate<JavaAccess<?>> MAKES_A_THREAD =
+      new DescribedPredicate<>("what makes threads") {
+        @Override
+        public boolean test(JavaAccess<?> access) {
+          Set<String> names = MAKERS.get(access.getTarget().getOwner().getName());
+          return names != null && (names.isEmpty() || names.contains(access.getTarget().getName()));
+        }
+      };
+
+  @ArchTest
+  static final ArchRule threadsAreMadeWhereTheyAreGuarded =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.urbi.bench..")
+          .and()
+          .haveNameNotMatching("urbi\\.thread\\.GuardedThreads(\\$.*)?")
+          .and()
+          .haveNameNotMatching("org\\.urbi\\.web\\.NetworkLoop(\\$.*)?")
+          .and()
+          // They run the jobs and the tick loop, which see to what is thrown in them themselves;
+          // how
+          // a virtual thread is made, and by whom, is what they are about.
+          .haveNameNotMatching("org\\.urbi\\.kernel\\.job\\.(HandoffThread|TickLoopThread)(\\$.*)?")
+          .and()
+          // It guards its thread, which inherits nothing of the program that makes the kernel.
+          .doNotHaveFullyQualifiedName("org.urbi.kernel.memory.MemoryWatchdog")
+          .should()
+          .accessTargetWhere(MAKES_A_THREAD);
+}
