@@ -27,6 +27,7 @@ import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.lang.reflect.RecordComponent;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +35,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -515,7 +517,9 @@ class ArchitectureTest {
                         String.class,
                         byte[].class,
                         InetSocketAddress.class,
+                        UValue.class,
                         UValue[].class,
+                        Data.class,
                         Outcome.class);
 
                 @Override
@@ -524,7 +528,8 @@ class ArchitectureTest {
                   boolean data =
                       type.isRecord()
                           && Stream.of(type.getRecordComponents())
-                              .allMatch(part -> DATA.contains(part.getType()));
+                              .map(RecordComponent::getType)
+                              .allMatch(part -> DATA.contains(part) || part.isEnum());
                   events.add(new SimpleConditionEvent(message, data, type + " is data: " + data));
                 }
               });

@@ -51,7 +51,6 @@ import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.tier.Tier;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.uobject.PluggedContext;
-import urbi.UClass;
 import urbi.UObject;
 
 /**
@@ -329,7 +328,7 @@ public final class Kernel implements AutoCloseable {
    * @throws RuntimeException if it cannot be constructed
    */
   public void start(Class<? extends UObject> type) {
-    uobjects.start(UClass.of(type));
+    uobjects.start(type);
   }
 
   /**

@@ -1,6 +1,5 @@
 package org.urbi.kernel.embed;
 
-import java.util.function.Consumer;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.event.WatchExpression;
 import org.urbi.kernel.job.TagScope;
@@ -13,19 +12,20 @@ import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.UrbiParser;
 
 /** A {@code watch} of an expression (manual, "watch"); each new value is passed to the listener. */
-final class ChangeRegistration implements Embedding.Task<ListenerRegistration> {
-  private final Embedding embedding;
+final class ChangeRegistration {
+  private final EventRegistration events;
   private final String expression;
-  private final Consumer<Object> listener;
 
-  ChangeRegistration(Embedding embedding, String expression, Consumer<Object> listener) {
-    this.embedding = embedding;
+  /**
+   * @param events whose event is that of the changes
+   */
+  ChangeRegistration(EventRegistration events, String expression) {
+    this.events = events;
     this.expression = expression;
-    this.listener = listener;
   }
 
-  @Override
-  public ListenerRegistration run(Frame frame) {
+  /** Begins to watch; in a job. */
+  ListenerRegistration run(Frame frame) {
     Interpreter interpreter = frame.interpreter();
     ParseResult parsed = UrbiParser.parse(expression, null);
     if (!parsed.errors().isEmpty()) {
@@ -42,10 +42,7 @@ final class ChangeRegistration implements Embedding.Task<ListenerRegistration> {
     } finally {
       frame.job().leave(scope);
     }
-    var events =
-        new EventRegistration(
-            embedding, expression, payload -> listener.accept(payload.getFirst()));
-    ListenerRegistration listening = events.subscribe(frame, changes);
-    return embedding.listening(listening::close, () -> tag.stop(interpreter.values().voidObject));
+    events.subscribe(frame, changes);
+    return events.listening(() -> tag.stop(interpreter.values().voidObject));
   }
 }

@@ -2,7 +2,7 @@ package org.urbi.kernel.embed;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.Arrays;
+import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,22 +14,21 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
-import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.library.system.Evaluation;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.memory.Evictable;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.tag.UrbiTag;
@@ -43,17 +42,11 @@ import org.urbi.kernel.tag.UrbiTag;
  * the end of the kernel. Between two evaluations it stands still.
  */
 public final class Embedding {
-  /** The work of a job. */
-  @FunctionalInterface
-  interface Task<T> {
-    /** Runs on the kernel thread; what it throws is passed to the caller. */
-    @Nullable T run(Frame frame);
-  }
-
   private final Interpreter interpreter;
   private final Scheduler scheduler;
   private final BooleanSupplier stopping;
   private final ListenerQueue<String> output;
+  private final ProgramTasks tasks;
   private final AtomicInteger last = new AtomicInteger();
 
   /** The number of threads that wait for the end of the kernel. */
@@ -73,6 +66,10 @@ public final class Embedding {
   private int waitingForEnd;
   private int running;
   private boolean holdsTime;
+  private int lastHandle;
+
+  /** In a replay there is no program whose handles keep their objects. */
+  private final Map<Integer, UrbiObject> replayed = new HashMap<>();
 
   /**
    * @param output receives the output of the lobby, on a thread of its own
@@ -82,20 +79,14 @@ public final class Embedding {
     this.interpreter = interpreter;
     this.scheduler = interpreter.scheduler();
     this.stopping = stopping;
+    this.tasks = new ProgramTasks(this);
     this.output = new ListenerQueue<>(scheduler, bytes -> output.accept(Utf8Text.toJava(bytes)));
     scheduler.inbox().register(Message.EMBEDDING, this::take);
   }
 
   private void take(Message message) {
     switch (message) {
-      case Message.EmbeddingCall call -> {
-        Request<?> request = pending.get(call.number());
-        if (request != null) {
-          request.begin();
-        } else {
-          scheduler.journal().missing(call);
-        }
-      }
+      case Message.OfProgram asked -> begin(asked);
       case Message.Evicted evicted -> evicted(evicted.reason());
       case Message.EmbeddingCancel cancel -> cancel(cancel.number());
       case Message.EmbeddingWaits waits -> {
@@ -105,6 +96,19 @@ public final class Embedding {
         }
       }
       default -> throw new IllegalArgumentException(message.toString());
+    }
+  }
+
+  private void begin(Message.OfProgram asked) {
+    Request<?> request = pending.get(asked.number());
+    if (request != null) {
+      request.begin();
+    } else if (asked instanceof Message.FunctionDefined) {
+      scheduler.journal().missing(asked);
+    } else if (scheduler.journal().isReplay()) {
+      request = new Request<>(this, asked, Beside.of(replayed));
+      pending.put(asked.number(), request);
+      request.begin();
     }
   }
 
@@ -177,6 +181,24 @@ public final class Embedding {
     return closing || stopping.getAsBoolean();
   }
 
+  /** Whether a request that comes now is too late, as a replay is told; on the kernel thread. */
+  boolean refuses() {
+    return !scheduler.attempt(() -> !isStopping());
+  }
+
+  ProgramTasks tasks() {
+    return tasks;
+  }
+
+  /** A handle for the program; on the kernel thread. */
+  UrbiValue handle(UrbiObject object) {
+    lastHandle++;
+    if (scheduler.journal().isReplay()) {
+      replayed.put(lastHandle, object);
+    }
+    return new UrbiValue(this, lastHandle, object);
+  }
+
   static IllegalStateException ended() {
     return new IllegalStateException(Problem.KERNEL_ENDED.text());
   }
@@ -197,13 +219,27 @@ public final class Embedding {
    */
   public <T> @Nullable T eval(
       String source, @Nullable String file, @Nullable UrbiValue target, Class<T> type) {
-    UrbiObject self = target == null ? null : target.object(this);
-    return JavaValues.as(await(source, evaluation(source, file, self, type)), type);
+    GivenValues given = new GivenValues(this);
+    int object = target == null ? 0 : given.number(target);
+    Object value =
+        await(number -> evaluation(number, object, source, file, type), Beside.of(given.objects()));
+    return JavaValues.as(value, type);
+  }
+
+  private static Message.OfProgram evaluation(
+      int number, int object, String source, @Nullable String file, Class<?> type) {
+    return new Message.SourceEvaluated(
+        number,
+        object,
+        Utf8Text.toUrbi(source),
+        file == null ? null : Utf8Text.toUrbi(file),
+        JavaValues.form(type));
   }
 
   /** Evaluates source text, without waiting; see {@code Kernel.evalAsync}. */
   public CompletableFuture<Object> evalAsync(String source) {
-    Request<Object> request = begin(source, evaluation(source, null, null, Object.class));
+    Request<Object> request =
+        begin(number -> evaluation(number, 0, source, null, Object.class), Beside.of(Map.of()));
     CompletableFuture<Object> result = new CompletableFuture<>();
     // Actions that depend on the result must not run on the kernel thread.
     request
@@ -225,86 +261,43 @@ public final class Embedding {
     return result;
   }
 
-  private Task<Object> evaluation(
-      String source, @Nullable String file, @Nullable UrbiObject target, Class<?> type) {
-    String bytes = Utf8Text.toUrbi(source);
-    String name = file == null ? null : Utf8Text.toUrbi(file);
-    return frame ->
-        JavaValues.toJava(
-            this,
-            Evaluation.eval(frame, null, target == null ? frame.self() : target, bytes, name),
-            type);
-  }
-
   /** Calls a function of the lobby or, by a dotted name, of another object. */
   public @Nullable Object call(String function, Object... arguments) {
-    Arguments made = arguments(arguments);
-    int dot = function.lastIndexOf('.');
-    String name = Utf8Text.toUrbi(function.substring(dot + 1));
+    GivenValues given = new GivenValues(this);
+    Data read = given.list(arguments);
     return await(
-        function,
-        frame -> {
-          UrbiObject target = dot < 0 ? frame.self() : find(frame, function.substring(0, dot));
-          return JavaValues.toJava(this, interpreter.send(frame, target, name, made.make(frame)));
-        });
-  }
-
-  private UrbiObject find(Frame frame, String path) {
-    UrbiObject found = frame.self();
-    for (String name : Utf8Text.toUrbi(path).split("\\.", -1)) {
-      found = interpreter.send(frame, found, name);
-    }
-    return found;
-  }
-
-  /** Arguments that were converted on the thread of the caller. */
-  record Arguments(List<JavaValues.Maker> makers) {
-    UrbiObject[] make(Frame frame) {
-      return makers.stream().map(maker -> maker.make(frame)).toArray(UrbiObject[]::new);
-    }
-  }
-
-  Arguments arguments(Object[] values) {
-    return new Arguments(
-        Arrays.stream(values).map(value -> JavaValues.fromJava(this, value)).toList());
+        number -> new Message.MethodCalled(number, 0, Utf8Text.toUrbi(function), read),
+        Beside.of(given.objects()));
   }
 
   /** Gives urbiscript a function written in Java; see {@code Kernel.define}. */
   public void define(String name, Function<? super List<Object>, ?> function) {
-    int dot = name.lastIndexOf('.');
-    String simple = Utf8Text.toUrbi(name.substring(dot + 1));
-    var body = new JavaFunction(this, simple, function);
-    await(
-        name,
-        frame -> {
-          UrbiObject owner =
-              dot < 0
-                  ? interpreter.world().prototype("Global")
-                  : find(frame, name.substring(0, dot));
-          Symbol symbol = interpreter.world().symbol(simple);
-          owner.removeSlot(symbol);
-          owner.addSlot(symbol, new Primitive(interpreter.prototypes().primitiveShape(), body, 0));
-          return null;
-        });
+    String bytes = Utf8Text.toUrbi(name);
+    var body = new JavaFunction(this, bytes.substring(bytes.lastIndexOf('.') + 1), function);
+    await(number -> new Message.FunctionDefined(number, bytes), Beside.of(body));
   }
 
   // ------------------------------------------------------------------ listening
 
   /** Listens to an event; see {@code Kernel.onEvent}. */
   public ListenerRegistration onEvent(String expression, Consumer<? super List<Object>> listener) {
-    return await(expression, new EventRegistration(this, Utf8Text.toUrbi(expression), listener));
+    String bytes = Utf8Text.toUrbi(expression);
+    return known(number -> new Message.Listened(number, bytes, false), Beside.of(listener));
   }
 
   /** Listens to the changes of an expression; see {@code Kernel.onChange}. */
   public ListenerRegistration onChange(String expression, Consumer<Object> listener) {
-    return await(expression, new ChangeRegistration(this, Utf8Text.toUrbi(expression), listener));
+    String bytes = Utf8Text.toUrbi(expression);
+    return known(
+        number -> new Message.Listened(number, bytes, true),
+        Beside.of((List<Object> payload) -> listener.accept(payload.getFirst())));
   }
 
   // ------------------------------------------------------------------ the lobby
 
   /** The lobby in which the program's code is evaluated. */
   public UrbiValue lobby() {
-    return await("lobby", frame -> new UrbiValue(this, own()));
+    return known(number -> new Message.ScopeWanted(number, false), Beside.of(Map.of()));
   }
 
   /**
@@ -312,9 +305,7 @@ public final class Embedding {
    * allows its slots to be redefined.
    */
   public UrbiValue newScope() {
-    return await(
-        "new scope",
-        frame -> new UrbiValue(this, new UrbiLobby(own().cloneShape(), own().connectionTag())));
+    return known(number -> new Message.ScopeWanted(number, true), Beside.of(Map.of()));
   }
 
   /** A request begins; on the kernel thread. */
@@ -323,7 +314,7 @@ public final class Embedding {
     if (known == null) {
       UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + scheduler.nextNumber());
       known = new UrbiLobby(interpreter.world().prototype("Lobby").cloneShape(), tag);
-      known.attach(new Output(scheduler, output::post));
+      known.attach(new Output(scheduler, this::send));
       lobby = known;
     }
     running++;
@@ -331,7 +322,13 @@ public final class Embedding {
     return known;
   }
 
-  private UrbiLobby own() {
+  private void send(String bytes) {
+    scheduler.journal().sent(Message.EMBEDDING, bytes.getBytes(StandardCharsets.ISO_8859_1));
+    output.post(bytes);
+  }
+
+  /** The lobby; on the kernel thread. */
+  UrbiLobby own() {
     return requireNonNull(lobby, "made when the first request began");
   }
 
@@ -354,19 +351,19 @@ public final class Embedding {
   // ------------------------------------------------------------------ requests
 
   /**
-   * Runs a task in a job, and waits for its end.
+   * Asks the kernel, and waits for the answer.
    *
-   * @param what describes the task in messages
+   * @param what makes the message with that number
    * @throws UrbiError if it fails
    * @throws IllegalStateException on the kernel thread, or when the kernel has ended
    * @throws CancellationException if the job was stopped, or the waiting thread interrupted
    */
-  <T> T await(String what, Task<T> task) {
+  private <T> @Nullable T await(IntFunction<Message.OfProgram> what, Beside beside) {
     if (scheduler.isKernelThread()) {
       throw new IllegalStateException(
           "the kernel thread cannot wait for an evaluation: use another thread, or evalAsync");
     }
-    Request<T> request = begin(what, task);
+    Request<T> request = begin(what, beside);
     try {
       return request.future().get();
     } catch (InterruptedException e) {
@@ -386,30 +383,39 @@ public final class Embedding {
     }
   }
 
+  /** Like {@link #await}, for what is never nil. */
+  private <T> T known(IntFunction<Message.OfProgram> what, Beside beside) {
+    return requireNonNull(this.<T>await(what, beside), "what is asked for is there");
+  }
+
   /**
    * Like {@link #await}, but runs the task at once when called within a Java function that
    * urbiscript code has called.
    */
-  <T> @Nullable T ask(Task<T> task) {
+  // Who asks knows what comes of it.
+  @SuppressWarnings("unchecked")
+  <T> @Nullable T ask(IntFunction<Message.OfProgram> what, GivenValues given) {
+    Beside beside = Beside.of(given.objects());
     Frame caller = JavaFunction.caller();
     if (caller == null || caller.interpreter() != interpreter) {
-      return await("a value", task);
+      return await(what, beside);
     }
     try {
-      return task.run(caller);
+      return (T) tasks.run(caller, what.apply(0), beside);
     } catch (UrbiException e) {
       throw UrbiErrorConverter.of(this, caller, e);
     }
   }
 
-  private <T> Request<T> begin(String what, Task<T> task) {
+  private <T> Request<T> begin(IntFunction<Message.OfProgram> what, Beside beside) {
     if (!used) {
       used = true;
       postWaiters();
     }
-    Request<T> request = new Request<>(this, last.incrementAndGet(), task);
+    Message.OfProgram asked = what.apply(last.incrementAndGet());
+    Request<T> request = new Request<>(this, asked, beside);
     pending.put(request.number(), request);
-    scheduler.inbox().post(new Message.EmbeddingCall(request.number(), what));
+    scheduler.inbox().post(asked);
     if (over) {
       // The kernel no longer reads its inbox.
       request.fail(ended());
@@ -424,11 +430,11 @@ public final class Embedding {
   /**
    * Registers a listener of the program; on the kernel thread.
    *
+   * @param number of the request
    * @param atOnce called at once when the registration is closed, on any thread
    * @param then called after that on the kernel thread
    */
-  ListenerRegistration listening(Runnable atOnce, Runnable then) {
-    int number = last.incrementAndGet();
+  ListenerRegistration listening(int number, Runnable atOnce, Runnable then) {
     listenings.put(number, then);
     return () -> {
       atOnce.run();

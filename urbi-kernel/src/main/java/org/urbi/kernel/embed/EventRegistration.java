@@ -14,28 +14,44 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A subscription to an event (manual, "Event"); the listener gets the payload of each emission. */
-final class EventRegistration implements Embedding.Task<ListenerRegistration>, Subscription {
+final class EventRegistration implements Subscription {
   private final Embedding embedding;
+  private final int number;
   private final String expression;
   private final ListenerQueue<List<Object>> queue;
 
+  /**
+   * @param number of the request, by which it is ended
+   */
   EventRegistration(
-      Embedding embedding, String expression, Consumer<? super List<Object>> listener) {
+      Embedding embedding, int number, String expression, Consumer<? super List<Object>> listener) {
     this.embedding = embedding;
+    this.number = number;
     this.expression = expression;
     this.queue = new ListenerQueue<>(embedding.scheduler(), listener);
   }
 
-  @Override
-  public ListenerRegistration run(Frame frame) {
-    return subscribe(frame, Evaluation.eval(frame, null, frame.self(), expression, null));
+  /** Subscribes to the event, or the object that can be converted to one; in a job. */
+  ListenerRegistration run(Frame frame) {
+    UrbiEvent event =
+        subscribe(frame, Evaluation.eval(frame, null, frame.self(), expression, null));
+    return listening(() -> event.unsubscribe(this));
   }
 
   /** Subscribes to an event, or to an object that can be converted to one. */
-  ListenerRegistration subscribe(Frame frame, UrbiObject source) {
+  UrbiEvent subscribe(Frame frame, UrbiObject source) {
     UrbiEvent event = event(frame, source);
     event.subscribe(this, frame.job());
-    return embedding.listening(queue::close, () -> event.unsubscribe(this));
+    return event;
+  }
+
+  /**
+   * It is subscribed.
+   *
+   * @param end ends what the subscription is for; on the kernel thread
+   */
+  ListenerRegistration listening(Runnable end) {
+    return embedding.listening(number, queue::close, end);
   }
 
   private static UrbiEvent event(Frame frame, UrbiObject value) {

@@ -62,7 +62,8 @@ final class JavaFunction extends BuiltinTable {
       Object result =
           ScopedValue.where(CALLER, caller)
               .call(() -> body.apply(Collections.unmodifiableList(values)));
-      return JavaValues.fromJava(embedding, result).make(caller);
+      GivenValues given = new GivenValues(embedding);
+      return new FromDataConverter(caller, given.objects()).object(given.value(result));
     } catch (UrbiException | ControlFlowException e) {
       throw e;
     } catch (UrbiError e) {

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.message.Message.Form;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
@@ -28,23 +28,6 @@ public final class JavaValues {
 
   private JavaValues() {}
 
-  // ------------------------------------------------------------------ to urbiscript
-
-  /** A value read from Java, from which the kernel thread can create an urbiscript object. */
-  @FunctionalInterface
-  interface Maker {
-    UrbiObject make(Frame frame);
-  }
-
-  /**
-   * Reads a Java value, on the calling thread.
-   *
-   * @throws IllegalArgumentException if urbiscript has no corresponding type
-   */
-  static Maker fromJava(Embedding embedding, @Nullable Object value) {
-    return new FromJavaConverter(embedding).read(value);
-  }
-
   // ------------------------------------------------------------------ to Java
 
   /** Copies an object; on the kernel thread. */
@@ -52,12 +35,17 @@ public final class JavaValues {
     return new ToJavaConverter(embedding).copy(object, 0);
   }
 
-  /** Copies an object to the requested type; on the kernel thread. */
-  static @Nullable Object toJava(Embedding embedding, UrbiObject object, Class<?> type) {
-    if (type == UrbiValue.class && object != object.world().values().voidObject) {
-      return new UrbiValue(embedding, object);
+  /** The form in which a value of that type is had from the kernel. */
+  static Form form(Class<?> type) {
+    return type == UrbiValue.class ? Form.HANDLE : type == byte[].class ? Form.BYTES : Form.COPY;
+  }
+
+  /** Gives an object the requested form; on the kernel thread. */
+  static @Nullable Object toJava(Embedding embedding, UrbiObject object, Form form) {
+    if (form == Form.HANDLE && object != object.world().values().voidObject) {
+      return embedding.handle(object);
     }
-    if (type == byte[].class && object instanceof UrbiString string) {
+    if (form == Form.BYTES && object instanceof UrbiString string) {
       return string.value().getBytes(StandardCharsets.ISO_8859_1);
     }
     return toJava(embedding, object);

@@ -12,22 +12,22 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 
-/** A task that a job executes and for whose result Java code waits. */
+/** What a job does for the program, and for whose result Java code waits; not in a replay. */
 final class Request<T> {
   private final Embedding embedding;
-  private final int number;
-  private final Embedding.Task<T> task;
+  private final Message.OfProgram asked;
+  private final Beside beside;
   private final CompletableFuture<T> future = new CompletableFuture<>();
   private @Nullable Job job;
-  private @Nullable T value;
+  private @Nullable Object value;
   private @Nullable Throwable failure;
   private boolean over;
   private volatile @Nullable String evicted;
 
-  Request(Embedding embedding, int number, Embedding.Task<T> task) {
+  Request(Embedding embedding, Message.OfProgram asked, Beside beside) {
     this.embedding = embedding;
-    this.number = number;
-    this.task = task;
+    this.asked = asked;
+    this.beside = beside;
   }
 
   /** Completed on the kernel thread: what depends on it must not block. */
@@ -38,7 +38,7 @@ final class Request<T> {
   /** Cancels the request; from any thread. */
   void cancel() {
     future.cancel(false);
-    embedding.scheduler().inbox().post(new Message.EmbeddingCancel(number));
+    embedding.scheduler().inbox().post(new Message.EmbeddingCancel(asked.number()));
   }
 
   /** The job is about to be ended, for that reason; from any thread. */
@@ -47,17 +47,15 @@ final class Request<T> {
   }
 
   int number() {
-    return number;
+    return asked.number();
   }
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  /** Starts the job. */
+  /** Starts the job, even if nobody waits for it any more: a message will say so. */
   void begin() {
-    if (embedding.isStopping()) {
+    if (embedding.refuses()) {
       fail(Embedding.ended());
-    } else if (future.isDone()) {
-      embedding.forget(this);
     } else {
       UrbiLobby lobby = embedding.began();
       job =
@@ -80,7 +78,7 @@ final class Request<T> {
     Frame frame = Frame.top(embedding.interpreter(), running, lobby, new FrameLayout());
     TagScope scope = running.enter(lobby.connectionTag().state());
     try {
-      value = task.run(frame);
+      value = embedding.tasks().run(frame, asked, beside);
       over = true;
     } catch (TagStop stop) {
       throw stop;
@@ -118,12 +116,14 @@ final class Request<T> {
         : UrbiErrorConverter.simple(reason, null);
   }
 
+  // The program asks for what the task of its message returns.
+  @SuppressWarnings("unchecked")
   private void complete() {
     if (failure != null) {
       fail(failure);
     } else {
       embedding.forget(this);
-      future.complete(value);
+      future.complete((T) value);
     }
   }
 

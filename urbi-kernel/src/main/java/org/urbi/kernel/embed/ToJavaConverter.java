@@ -21,6 +21,9 @@ import org.urbi.kernel.object.Values;
  * occurs; inside itself, or nested very deeply, it becomes a handle.
  */
 final class ToJavaConverter {
+  /** Stands for the copy of a container that is being copied. */
+  private static final Object UNDER_WAY = new Object();
+
   private final Embedding embedding;
   private final Map<UrbiObject, Object> copies = new IdentityHashMap<>();
 
@@ -48,25 +51,25 @@ final class ToJavaConverter {
       case UrbiList list when !prototype -> container(list, depth);
       case UrbiTuple tuple when !prototype -> container(tuple, depth);
       case UrbiDictionary dictionary when !prototype -> container(dictionary, depth);
-      default -> new UrbiValue(embedding, object);
+      default -> embedding.handle(object);
     };
   }
 
   private Object container(UrbiObject object, int depth) {
     Object known = copies.get(object);
+    if (known == UNDER_WAY || known == null && depth == JavaValues.DEEPEST) {
+      return embedding.handle(object);
+    }
     if (known == null) {
-      known = new UrbiValue(embedding, object);
-      if (depth < JavaValues.DEEPEST) {
-        copies.put(object, known);
-        known =
-            switch (object) {
-              case UrbiList list -> list(list.elements(), depth + 1);
-              case UrbiTuple tuple -> list(tuple.elements(), depth + 1);
-              case UrbiDictionary dictionary -> map(dictionary, depth + 1);
-              default -> known;
-            };
-        copies.put(object, known);
-      }
+      copies.put(object, UNDER_WAY);
+      known =
+          switch (object) {
+            case UrbiList list -> list(list.elements(), depth + 1);
+            case UrbiTuple tuple -> list(tuple.elements(), depth + 1);
+            case UrbiDictionary dictionary -> map(dictionary, depth + 1);
+            default -> throw new IllegalArgumentException("no container");
+          };
+      copies.put(object, known);
     }
     return known;
   }

@@ -2,11 +2,11 @@ package org.urbi.kernel.embed;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.node.SlotUpdate;
-import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.message.Data;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 
@@ -21,10 +21,13 @@ import org.urbi.kernel.object.Utf8Text;
  */
 public final class UrbiValue {
   private final Embedding embedding;
+  private final int number;
   private final UrbiObject object;
 
-  UrbiValue(Embedding embedding, UrbiObject object) {
+  /** Only {@link Embedding#handle} makes some, which gives them their numbers. */
+  UrbiValue(Embedding embedding, int number, UrbiObject object) {
     this.embedding = embedding;
+    this.number = number;
     this.object = object;
   }
 
@@ -35,80 +38,72 @@ public final class UrbiValue {
     return object;
   }
 
+  int number() {
+    return number;
+  }
+
   /** The value of a slot, its own or an inherited one; a function is not called. */
   public @Nullable Object get(String slot) {
-    return embedding.ask(frame ->
-        JavaValues.toJava(embedding, frame.interpreter().get(frame, object, symbol(slot))));
+    return ask(id -> new Message.SlotRead(id, number, Utf8Text.toUrbi(slot)));
   }
 
   /** Assigns a slot of the object itself, which is created if need be. */
   public void set(String slot, Object value) {
-    JavaValues.Maker maker = JavaValues.fromJava(embedding, value);
-    embedding.ask(frame -> {
-      Symbol name = symbol(slot);
-      UrbiObject made = maker.make(frame);
-      if (object.hasLocalSlot(name)) {
-        SlotUpdate.assign(frame, object, name, made);
-      } else {
-        SlotUpdate.create(frame, object, name, made);
-      }
-      return null;
-    });
+    GivenValues given = given();
+    Data read = given.value(value);
+    embedding.ask(id -> new Message.SlotWritten(id, number, Utf8Text.toUrbi(slot), read), given);
   }
 
   /** Whether the object itself has that slot. */
   public boolean has(String slot) {
-    return known(frame -> object.hasLocalSlot(symbol(slot)));
+    return known(id -> new Message.SlotSought(id, number, Utf8Text.toUrbi(slot)));
   }
 
   /** Removes a slot of the object itself; does nothing when it has none of that name. */
   public void remove(String slot) {
-    embedding.ask(frame -> object.removeSlot(symbol(slot)));
+    ask(id -> new Message.SlotRemoved(id, number, Utf8Text.toUrbi(slot)));
   }
 
   /** The names of the slots of the object itself, in the order of their creation. */
   public List<String> slotNames() {
-    return known(frame -> {
-      List<String> names = new ArrayList<>();
-      for (Symbol name : object.localSlotNames()) {
-        names.add(Utf8Text.toJava(name.name()));
-      }
-      return names;
-    });
+    return known(id -> new Message.SlotsListed(id, number));
   }
 
   /** Calls a method and waits for its result. */
   public @Nullable Object call(String method, Object... arguments) {
-    Embedding.Arguments made = embedding.arguments(arguments);
-    return embedding.ask(frame ->
-        JavaValues.toJava(
-            embedding,
-            frame.interpreter().send(frame, object, Utf8Text.toUrbi(method), made.make(frame))));
+    GivenValues given = given();
+    Data read = given.list(arguments);
+    return embedding.ask(
+        id -> new Message.MethodCalled(id, number, Utf8Text.toUrbi(method), read), given);
   }
 
   /** Calls the object itself, which is a function; its target is the lobby. */
   public @Nullable Object apply(Object... arguments) {
-    Embedding.Arguments made = embedding.arguments(arguments);
-    return embedding.ask(frame ->
-        JavaValues.toJava(
-            embedding,
-            frame.interpreter().call(frame, object, frame.job().lobby(), made.make(frame))));
+    GivenValues given = given();
+    Data read = given.list(arguments);
+    return embedding.ask(id -> new Message.ObjectCalled(id, number, read), given);
   }
 
-  /** Runs a task whose result is never nil. */
-  private <T> T known(Embedding.Task<T> task) {
-    return requireNonNull(embedding.ask(task), "what is asked for is there");
+  private GivenValues given() {
+    GivenValues given = new GivenValues(embedding);
+    given.number(this);
+    return given;
   }
 
-  private Symbol symbol(String name) {
-    return object.world().symbol(Utf8Text.toUrbi(name));
+  private <T> @Nullable T ask(IntFunction<Message.OfProgram> what) {
+    return embedding.ask(what, given());
+  }
+
+  /** Asks for what is never nil. */
+  private <T> T known(IntFunction<Message.OfProgram> what) {
+    return requireNonNull(this.<T>ask(what), "what is asked for is there");
   }
 
   /** As {@code asString} of urbiscript; never throws. */
   @Override
   public String toString() {
     try {
-      return known(frame -> Utf8Text.toJava(frame.interpreter().asString(frame, object)));
+      return known(id -> new Message.ObjectShown(id, number));
     } catch (RuntimeException e) {
       return "UrbiValue (" + e.getMessage() + ")";
     }

@@ -5,11 +5,13 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -79,8 +81,20 @@ final class DataReader {
       return EntryCodec.read(this);
     } else if (type == Outcome.class) {
       return outcome();
+    } else if (type == Data.class) {
+      return new Data(any());
+    } else if (type.isEnum()) {
+      return constant(type.getEnumConstants());
     }
     return any();
+  }
+
+  private Object constant(Object[] all) {
+    int number = count();
+    if (number >= all.length) {
+      throw new RecordingException("has an unknown constant");
+    }
+    return all[number];
   }
 
   private Outcome outcome() {
@@ -105,6 +119,8 @@ final class DataReader {
       case DataWriter.MAP -> map();
       case DataWriter.ADDRESS -> address();
       case DataWriter.UVALUE -> in.value();
+      case DataWriter.DURATION -> Duration.ofSeconds(number(), number());
+      case DataWriter.HANDLE -> new Data.Handle((int) number());
       default -> throw new RecordingException("has a value of an unknown kind, " + kind);
     };
   }

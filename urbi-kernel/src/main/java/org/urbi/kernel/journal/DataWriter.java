@@ -3,9 +3,11 @@ package org.urbi.kernel.journal;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -29,6 +31,9 @@ final class DataWriter {
 
   /** A live object, such as an open file, which a replay does not have. */
   static final int LIVE = 13;
+
+  static final int DURATION = 14;
+  static final int HANDLE = 15;
 
   private final WireOutput out = new WireOutput(1 << 12);
 
@@ -72,6 +77,10 @@ final class DataWriter {
       EntryCodec.write(this, value);
     } else if (type == Outcome.class) {
       outcome((Outcome) value);
+    } else if (type == Data.class) {
+      any(((Data) value).value());
+    } else if (type.isEnum()) {
+      number(((Enum<?>) value).ordinal());
     } else {
       any(value);
     }
@@ -136,6 +145,15 @@ final class DataWriter {
       case UValue given -> {
         octet(UVALUE);
         out.value(given);
+      }
+      case Duration time -> {
+        octet(DURATION);
+        number(time.getSeconds());
+        number(time.getNano());
+      }
+      case Data.Handle handle -> {
+        octet(HANDLE);
+        number(handle.number());
       }
       default -> octet(LIVE);
     }

@@ -77,9 +77,30 @@ public final class EntryCodec {
     add(83, Message.ComponentRequest.class);
     add(84, Message.ComponentDone.class);
     add(85, Message.ComponentGone.class);
-    add(100, Message.EmbeddingCall.class);
+    add(86, Message.VariableWanted.class);
+    add(87, Message.EventWanted.class);
+    add(88, Message.ObjectWanted.class);
+    add(89, Message.VariableRead.class);
+    add(90, Message.VariableWritten.class);
+    add(91, Message.PropertyRead.class);
+    add(92, Message.PropertyWritten.class);
+    add(93, Message.VariableUsed.class);
+    add(94, Message.VariableUnnotified.class);
+    add(95, Message.ClassStarted.class);
     add(101, Message.EmbeddingCancel.class);
     add(102, Message.EmbeddingWaits.class);
+    add(103, Message.SourceEvaluated.class);
+    add(104, Message.MethodCalled.class);
+    add(105, Message.ObjectCalled.class);
+    add(106, Message.SlotRead.class);
+    add(107, Message.SlotWritten.class);
+    add(108, Message.SlotSought.class);
+    add(109, Message.SlotRemoved.class);
+    add(110, Message.SlotsListed.class);
+    add(111, Message.ObjectShown.class);
+    add(112, Message.ScopeWanted.class);
+    add(113, Message.Listened.class);
+    add(114, Message.FunctionDefined.class);
   }
 
   private record Kind(int number, RecordComponent[] parts, Constructor<?> constructor) {}

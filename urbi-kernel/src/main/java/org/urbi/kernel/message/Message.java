@@ -2,6 +2,7 @@ package org.urbi.kernel.message;
 
 import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
+import urbi.UProperty;
 import urbi.UValue;
 
 /**
@@ -305,14 +306,6 @@ public sealed interface Message {
     }
   }
 
-  /** A request of a thread of a UObject, which waits for it. */
-  record ComponentRequest(int number) implements Message {
-    @Override
-    public int to() {
-      return COMPONENTS;
-    }
-  }
-
   /** A threaded function has ended, for whose result nobody waits. */
   record ComponentDone() implements Message {
     @Override
@@ -329,19 +322,150 @@ public sealed interface Message {
     }
   }
 
+  // ------------------------------------------------------------------ threads of UObjects
+
+  /** What a thread of a UObject asks for; it waits for the answer to that number. */
+  sealed interface OfComponent extends Message {
+    int number();
+
+    @Override
+    default int to() {
+      return COMPONENTS;
+    }
+  }
+
+  /** What such a thread asks of a variable that it has got before, under that number. */
+  sealed interface OfVariable extends OfComponent {
+    int variable();
+  }
+
+  /** It wants the variable of that name, maybe as the input of a component. */
+  record VariableWanted(int number, String name, boolean input) implements OfComponent {}
+
+  /** It wants to emit the event of that name. */
+  record EventWanted(int number, String name) implements OfComponent {}
+
+  /** It wants the UObject, or the hub, of that name. */
+  record ObjectWanted(int number, String name, boolean hub) implements OfComponent {}
+
+  /** What can be read of a variable; see {@link urbi.USlot}. */
+  enum Reading {
+    VALUE,
+    TIMESTAMP,
+    INPUT,
+    OUTPUT
+  }
+
+  /** It reads a variable. */
+  record VariableRead(int number, int variable, Reading what) implements OfVariable {}
+
+  /** It assigns a variable. */
+  record VariableWritten(int number, int variable, UValue value) implements OfVariable {}
+
+  /** It reads a property of a variable. */
+  record PropertyRead(int number, int variable, UProperty property) implements OfVariable {}
+
+  /** It assigns a property of a variable. */
+  record PropertyWritten(int number, int variable, UProperty property, UValue value)
+      implements OfVariable {}
+
+  /** How a variable can be used; see {@link urbi.USlot}. */
+  enum Use {
+    OWNED,
+    BYPASS,
+    RTP
+  }
+
+  /** It changes how a variable is used. */
+  record VariableUsed(int number, int variable, Use use, boolean on) implements OfVariable {}
+
+  /** It ends all notifications of a variable. */
+  record VariableUnnotified(int number, int variable) implements OfVariable {}
+
+  /** It starts that class of UObjects, which a replay looks for under that name of Java. */
+  record ClassStarted(int number, String name) implements OfComponent {}
+
+  /** It asks for what only its own objects and code can say: a replay does not have them. */
+  record ComponentRequest(int number) implements OfComponent {}
+
   // ------------------------------------------------------------------ the program around
 
-  /**
-   * A request of the embedding program.
-   *
-   * @param what a description for messages
-   */
-  record EmbeddingCall(int number, String what) implements Message {
+  /** What the embedding program asks for; it waits for the answer to that number. */
+  sealed interface OfProgram extends Message {
+    int number();
+
     @Override
-    public int to() {
+    default int to() {
       return EMBEDDING;
     }
   }
+
+  /** What it asks of an object that it has got before, under that number; 0 is its lobby. */
+  sealed interface OfObject extends OfProgram {
+    int object();
+  }
+
+  /** What the embedding program wants of a result. */
+  enum Form {
+    /** A copy, of what has a counterpart in Java. */
+    COPY,
+    /** A handle on the object. */
+    HANDLE,
+    /** The bytes of a string. */
+    BYTES
+  }
+
+  /**
+   * It evaluates source text.
+   *
+   * @param object that is {@code this} of the text
+   * @param file the name by which errors call it, or null
+   */
+  record SourceEvaluated(int number, int object, String source, @Nullable String file, Form form)
+      implements OfObject {}
+
+  /**
+   * It calls a function.
+   *
+   * @param function the name of a method of the object; of the lobby, the way to it
+   * @param arguments a List
+   */
+  record MethodCalled(int number, int object, String function, Data arguments)
+      implements OfObject {}
+
+  /**
+   * It calls an object, which is a function.
+   *
+   * @param arguments a List
+   */
+  record ObjectCalled(int number, int object, Data arguments) implements OfObject {}
+
+  /** It reads a slot. */
+  record SlotRead(int number, int object, String slot) implements OfObject {}
+
+  /** It assigns a slot, or creates it. */
+  record SlotWritten(int number, int object, String slot, Data value) implements OfObject {}
+
+  /** It asks whether there is a slot. */
+  record SlotSought(int number, int object, String slot) implements OfObject {}
+
+  /** It removes a slot. */
+  record SlotRemoved(int number, int object, String slot) implements OfObject {}
+
+  /** It asks for the names of all slots. */
+  record SlotsListed(int number, int object) implements OfObject {}
+
+  /** It asks for an object as text. */
+  record ObjectShown(int number, int object) implements OfObject {}
+
+  /** It asks for its lobby, or for a new object that inherits from it. */
+  record ScopeWanted(int number, boolean fresh) implements OfProgram {}
+
+  /** It listens to the event that an expression gives, or to the changes of its value. */
+  record Listened(int number, String expression, boolean changes) implements OfProgram {}
+
+  /** It defines a function that is written in Java, which a replay does not have. */
+  record FunctionDefined(int number, String name) implements OfProgram {}
 
   /** The embedding program cancels a request or removes a listener. */
   record EmbeddingCancel(int number) implements Message {

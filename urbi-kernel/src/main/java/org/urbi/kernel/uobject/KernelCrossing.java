@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import static java.util.Objects.requireNonNull;
 
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -10,6 +11,7 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
@@ -95,10 +97,39 @@ final class KernelCrossing {
    */
   <T> @Nullable T inKernel(Function<Frame, T> task) {
     if (!scheduler.isKernelThread()) {
-      return nativeThread.isCurrent()
-          ? nativeThread.ask(() -> inKernel(task))
-          : requests.ask(frame -> translated(frame, task));
+      return nativeThread.isCurrent() ? nativeThread.ask(() -> atOnce(task)) : requests.ask(task);
     }
+    return atOnce(task);
+  }
+
+  /**
+   * Like {@link #inKernel(Function)}, for a task that other threads can ask for by data.
+   *
+   * @param what makes the message with that number
+   */
+  <T> @Nullable T inKernel(
+      Function<Frame, T> task, IntFunction<? extends Message.OfComponent> what) {
+    return inKernel(task, null, what);
+  }
+
+  /**
+   * Likewise, for what is asked of a variable.
+   *
+   * @param slot the variable that the message names by its number
+   */
+  <T> @Nullable T inKernel(
+      Function<Frame, T> task,
+      @Nullable PluggedSlot slot,
+      IntFunction<? extends Message.OfComponent> what) {
+    if (!scheduler.isKernelThread()) {
+      return nativeThread.isCurrent()
+          ? nativeThread.ask(() -> atOnce(task))
+          : requests.ask(what, slot);
+    }
+    return atOnce(task);
+  }
+
+  private <T> @Nullable T atOnce(Function<Frame, T> task) {
     if (over) {
       return null;
     }
@@ -129,14 +160,33 @@ final class KernelCrossing {
    * @throws IllegalStateException when the kernel has ended
    */
   <T> T fromKernel(Function<Frame, T> task) {
-    T result = inKernel(task);
+    return there(inKernel(task));
+  }
+
+  /**
+   * Like {@link #inKernel(Function, IntFunction)}, for a task that always has a result.
+   *
+   * @throws IllegalStateException when the kernel has ended
+   */
+  <T> T fromKernel(Function<Frame, T> task, IntFunction<? extends Message.OfComponent> what) {
+    return there(inKernel(task, what));
+  }
+
+  /** Likewise, for what is asked of a variable. */
+  <T> T fromKernel(
+      Function<Frame, T> task, PluggedSlot slot, IntFunction<? extends Message.OfComponent> what) {
+    return there(inKernel(task, slot, what));
+  }
+
+  private static <T> T there(@Nullable T result) {
     if (result == null) {
       throw KernelRequests.ended();
     }
     return result;
   }
 
-  private <T> T translated(Frame frame, Function<Frame, T> task) {
+  /** Runs a task; what urbiscript throws becomes what components catch. */
+  static <T> T translated(Frame frame, Function<Frame, T> task) {
     try {
       return task.apply(frame);
     } catch (UrbiException e) {
@@ -145,7 +195,7 @@ final class KernelCrossing {
   }
 
   /** The message of an exception of urbiscript. */
-  String text(Frame frame, UrbiException e) {
+  static String text(Frame frame, UrbiException e) {
     try {
       return Utf8Text.toJava(frame.interpreter().asString(frame, e.value()));
     } catch (UrbiException shown) {

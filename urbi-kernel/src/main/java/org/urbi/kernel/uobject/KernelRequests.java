@@ -7,6 +7,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
+import java.util.function.IntFunction;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.message.Message;
@@ -20,11 +22,20 @@ import urbi.spi.ContextEndedException;
  * Requests of other threads to the kernel thread: each is executed by a job, and the thread waits.
  */
 final class KernelRequests {
-  private record Request<T>(Function<Frame, T> task, CompletableFuture<T> future) {
+  /**
+   * @param slot the variable that the message names, if any
+   * @param task what only the thread knows; null if the message says it
+   */
+  private record Request<T>(
+      @Nullable PluggedSlot slot, @Nullable Function<Frame, T> task, CompletableFuture<T> future) {
     /** Executes it; in a job. */
-    void perform(Frame frame) {
+    // The thread asks for what the task of its message returns.
+    @SuppressWarnings("unchecked")
+    void perform(Frame frame, ComponentTasks tasks, Message.OfComponent asked) {
       try {
-        future.complete(task.apply(frame));
+        future.complete(
+            KernelCrossing.translated(
+                frame, of -> task == null ? (T) tasks.run(of, asked, slot) : task.apply(of)));
       } catch (RuntimeException | Error e) {
         future.completeExceptionally(e);
       }
@@ -32,40 +43,60 @@ final class KernelRequests {
   }
 
   private final Interpreter interpreter;
+  private final ComponentTasks tasks;
   private final AtomicInteger last = new AtomicInteger();
   private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
   private final ThreadLocal<KernelLock> held = new ThreadLocal<>();
   private volatile boolean over;
 
-  KernelRequests(Interpreter interpreter) {
+  KernelRequests(Interpreter interpreter, ComponentTasks tasks) {
     this.interpreter = interpreter;
+    this.tasks = tasks;
   }
 
   /**
-   * Executes a task in a job, and waits.
+   * Has a task executed by a job that only this thread knows, and waits.
    *
    * @throws IllegalStateException if the kernel has ended
-   * @throws CancellationException if the thread is interrupted
+   * @throws CancellationException if the thread is interrupted; the task is executed all the same
    */
-  <T> T ask(Function<Frame, T> task) {
+  <T> @Nullable T ask(Function<Frame, T> task) {
+    return ask(Message.ComponentRequest::new, new Request<>(null, task, new CompletableFuture<>()));
+  }
+
+  /**
+   * Has a job do what a message says, and waits.
+   *
+   * @param what makes the message with that number
+   * @param slot the variable that it names, if any
+   * @throws IllegalStateException if the kernel has ended
+   * @throws CancellationException if the thread is interrupted; it is done all the same
+   */
+  <T> @Nullable T ask(IntFunction<? extends Message.OfComponent> what, @Nullable PluggedSlot slot) {
+    return ask(what, new Request<T>(slot, null, new CompletableFuture<>()));
+  }
+
+  private <T> @Nullable T ask(IntFunction<? extends Message.OfComponent> what, Request<T> request) {
     if (interpreter.scheduler().journal().isReplay()) {
       throw new IllegalStateException(Problem.IN_REPLAY.text());
     }
-    CompletableFuture<T> future = new CompletableFuture<>();
-    Request<T> request = new Request<>(task, future);
-    int number = last.incrementAndGet();
-    pending.put(number, request);
+    CompletableFuture<T> future = request.future();
+    Message.OfComponent asked = what.apply(last.incrementAndGet());
+    pending.put(asked.number(), request);
     KernelLock hold = held.get();
+    if (hold == null) {
+      interpreter.scheduler().inbox().post(asked);
+    } else {
+      hold.add(frame -> {
+        pending.remove(asked.number());
+        request.perform(frame, tasks, asked);
+      });
+    }
+    if (over) {
+      // Unless that has been done already: it may be what the kernel has ended for.
+      future.completeExceptionally(ended());
+    }
     try {
-      if (hold == null) {
-        interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
-      } else {
-        hold.add(request::perform);
-      }
-      if (over) {
-        // Unless that has been done already: it may be what the kernel has ended for.
-        future.completeExceptionally(ended());
-      }
       return future.get();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -75,26 +106,41 @@ final class KernelRequests {
         case RuntimeException failure -> failure;
         case Throwable other -> new IllegalStateException(other);
       };
-    } finally {
-      pending.remove(number);
     }
   }
 
-  /** Starts the job for a request; false if nobody waits for it any more. */
-  boolean start(int number, UrbiObject lobby) {
-    Request<?> request = pending.get(number);
-    if (request == null) {
-      return false;
-    }
+  /** Starts the job for a request. */
+  void start(Message.OfComponent asked, UrbiObject lobby) {
+    Request<?> request = find(asked);
     Scheduler scheduler = interpreter.scheduler();
+    if (request == null) {
+      scheduler.journal().missing(asked);
+      return;
+    }
     scheduler
         .startDetached(
             lobby,
             scheduler.rootScope(),
             "uobject",
-            job -> request.perform(Frame.top(interpreter, job, lobby, new FrameLayout())))
-        .onEnd(() -> request.future().completeExceptionally(new CancellationException("stopped")));
-    return true;
+            job ->
+                request.perform(
+                    Frame.top(interpreter, job, lobby, new FrameLayout()), tasks, asked))
+        .onEnd(() -> {
+          pending.remove(asked.number());
+          request.future().completeExceptionally(new CancellationException("stopped"));
+        });
+  }
+
+  /** The request of a message. In a replay nobody waits for it, and it may need its thread. */
+  private @Nullable Request<?> find(Message.OfComponent asked) {
+    Request<?> request = pending.get(asked.number());
+    if (request != null || asked instanceof Message.ComponentRequest) {
+      return request;
+    }
+    PluggedSlot slot = tasks.variable(asked);
+    return slot == null && asked instanceof Message.OfVariable
+        ? null
+        : new Request<>(slot, null, new CompletableFuture<>());
   }
 
   /** Locks the kernel: until {@link #unlock} it executes only requests of this thread. */
@@ -110,6 +156,7 @@ final class KernelRequests {
     pending.put(
         number,
         new Request<Void>(
+            null,
             frame -> {
               begun.complete(null);
               made.serve(frame);

@@ -14,7 +14,6 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -72,6 +71,7 @@ public final class PluggedContext implements UContext {
   private final NativeThread nativeThread = new NativeThread(this);
   private final ThreadPool threads = new ThreadPool("urbi-uobject-");
   private final KernelCrossing crossing;
+  private final ComponentTasks tasks;
   private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
 
   /**
@@ -82,7 +82,8 @@ public final class PluggedContext implements UContext {
     this.interpreter = interpreter;
     this.scheduler = interpreter.scheduler();
     this.log = log;
-    this.requests = new KernelRequests(interpreter);
+    this.tasks = new ComponentTasks(this);
+    this.requests = new KernelRequests(interpreter, tasks);
     this.crossing = new KernelCrossing(this, interpreter, requests, nativeThread);
     this.objects =
         new Instances(interpreter.world(), scheduler.inbox(), scheduler.journal(), this::gone);
@@ -124,6 +125,11 @@ public final class PluggedContext implements UContext {
 
   VariableLookup variables() {
     return variables;
+  }
+
+  /** What the threads of components ask for. */
+  ComponentTasks tasks() {
+    return tasks;
   }
 
   ValueConversion conversion() {
@@ -263,14 +269,10 @@ public final class PluggedContext implements UContext {
   private void take(Message message) {
     switch (message) {
       case Message.ComponentCode sent -> lobby().shell().receive(Utf8Text.toUrbi(sent.code()));
-      case Message.ComponentCall wish -> start(frame -> call(frame, wish));
+      case Message.ComponentCall wish -> start(frame -> tasks.call(frame, wish));
       case Message.ComponentEvent event ->
-          start(frame -> emit(frame, event.name(), event.payload()));
-      case Message.ComponentRequest request -> {
-        if (!requests.start(request.number(), lobby())) {
-          scheduler.journal().missing(request);
-        }
-      }
+          start(frame -> tasks.emit(frame, event.name(), event.payload()));
+      case Message.OfComponent asked -> requests.start(asked, lobby());
       case Message.ComponentDone done -> scheduler.pace().end();
       case Message.ComponentGone object -> objects.gone(object.name());
       default -> throw new IllegalArgumentException(message.toString());
@@ -286,11 +288,21 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void start(UClass type) {
-    crossing.inKernel(frame -> {
-      // Publish at once: code sent by a constructor may refer to the object.
-      creation.start(frame, type).run();
-      return null;
-    });
+    crossing.inKernel(frame -> start(frame, type));
+  }
+
+  /** Starts a class of this process, as {@link #start(UClass)} does. */
+  public void start(Class<? extends UObject> type) {
+    tasks.offer(type);
+    crossing.inKernel(
+        frame -> start(frame, UClass.of(type)),
+        number -> new Message.ClassStarted(number, type.getName()));
+  }
+
+  @Nullable Void start(Frame frame, UClass type) {
+    // Publish at once: code sent by a constructor may refer to the object.
+    creation.start(frame, type).run();
+    return null;
   }
 
   /**
@@ -361,15 +373,25 @@ public final class PluggedContext implements UContext {
 
   @Override
   public @Nullable UObject getUObject(String name) {
-    return crossing.inKernel(frame -> {
-      Instance instance = objects.named(name);
-      return instance == null ? null : instance.java();
-    });
+    return crossing.inKernel(
+        frame -> object(name), number -> new Message.ObjectWanted(number, name, false));
+  }
+
+  /** The UObject of that name; on the kernel thread. */
+  @Nullable UObject object(String name) {
+    Instance instance = objects.named(name);
+    return instance == null ? null : instance.java();
   }
 
   @Override
   public @Nullable UObjectHub getUObjectHub(String name) {
-    return crossing.inKernel(frame -> hubs.get(name));
+    return crossing.inKernel(
+        frame -> hub(name), number -> new Message.ObjectWanted(number, name, true));
+  }
+
+  /** The hub of that name; on the kernel thread. */
+  @Nullable UObjectHub hub(String name) {
+    return hubs.get(name);
   }
 
   @Override
@@ -391,48 +413,25 @@ public final class PluggedContext implements UContext {
   }
 
   private USlot slot(String name, boolean input) {
-    return crossing.fromKernel(frame -> {
-      UrbiUVar variable = variables.find(frame, name);
-      if (input) {
-        variable.makeInput();
-      }
-      return new PluggedSlot(this, variable, name);
-    });
+    return crossing.fromKernel(
+        frame -> tasks.variable(frame, name, input),
+        number -> new Message.VariableWanted(number, name, input));
   }
 
   @Override
   public UEmitter event(String name) {
-    return crossing.fromKernel(frame -> {
-      VariableLookup.Place place = variables.place(frame, name);
-      if (place.owner().localSlot(place.slot()) == null) {
-        place.owner().addSlot(place.slot(), interpreter.prototypes().event.cloned());
-      }
-      return payload -> emit(name, payload);
-    });
+    return crossing.fromKernel(
+        frame -> tasks.event(frame, name), number -> new Message.EventWanted(number, name));
   }
 
-  private void emit(String name, UValue... payload) {
+  void emit(String name, UValue... payload) {
     if (isInTurn()) {
       crossing.inKernel(frame -> {
-        emit(frame, name, payload);
+        tasks.emit(frame, name, payload);
         return null;
       });
     } else {
       scheduler.inbox().post(new Message.ComponentEvent(name, payload));
-    }
-  }
-
-  private void emit(Frame frame, String name, UValue... payload) {
-    VariableLookup.Place place = variables.place(frame, name);
-    UrbiObject event = interpreter.get(frame, place.owner(), place.slot());
-    UrbiObject[] arguments = new UrbiObject[payload.length];
-    for (int i = 0; i < arguments.length; i++) {
-      arguments[i] = conversion.element(payload[i]);
-    }
-    if (event instanceof UrbiEvent plain) {
-      plain.emit(frame, arguments);
-    } else {
-      interpreter.send(frame, event, "emit", arguments);
     }
   }
 
@@ -471,15 +470,6 @@ public final class PluggedContext implements UContext {
   @Override
   public void call(String object, String method, UValue... arguments) {
     scheduler.inbox().post(new Message.ComponentCall(object, method, arguments));
-  }
-
-  private void call(Frame frame, Message.ComponentCall wish) {
-    UrbiObject target = variables.object(frame, wish.object());
-    UrbiObject[] given = new UrbiObject[wish.arguments().length];
-    for (int i = 0; i < given.length; i++) {
-      given[i] = conversion.element(wish.arguments()[i]);
-    }
-    interpreter.send(frame, target, Utf8Text.toUrbi(wish.method()), given);
   }
 
   @Override

@@ -3,8 +3,10 @@ package org.urbi.kernel.uobject;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.object.Symbol;
@@ -33,6 +35,7 @@ final class PluggedSlot implements USlot {
   private @Nullable UrbiUVar kept;
 
   private final String name;
+  private final int number;
   private final List<Runnable> notifications = new ArrayList<>(1);
   private volatile boolean owner;
   private volatile boolean bypass;
@@ -44,6 +47,7 @@ final class PluggedSlot implements USlot {
     this.reference = new WeakReference<>(variable);
     this.kept = context.objects().keep(variable) ? null : variable;
     this.name = name;
+    this.number = context.tasks().number(this);
   }
 
   @Override
@@ -66,19 +70,44 @@ final class PluggedSlot implements USlot {
 
   // ------------------------------------------------------------------ the value
 
+  /** Does what a thread asks for. */
+  @Nullable Object perform(Frame frame, Message.OfVariable asked) {
+    return switch (asked) {
+      case Message.VariableRead read ->
+          switch (read.what()) {
+            case VALUE -> get(frame);
+            case TIMESTAMP -> timestamp(frame);
+            case INPUT -> in(frame);
+            case OUTPUT -> out(frame);
+          };
+      case Message.VariableWritten written -> set(frame, written.value());
+      case Message.PropertyRead read -> property(frame, read.property());
+      case Message.PropertyWritten written ->
+          setProperty(frame, written.property(), written.value());
+      case Message.VariableUsed used -> use(used.use(), used.on());
+      case Message.VariableUnnotified ended -> endNotifications();
+    };
+  }
+
+  private <T> T read(Message.Reading what, Function<Frame, T> task) {
+    return crossing.fromKernel(task, this, asked -> new Message.VariableRead(asked, number, what));
+  }
+
   @Override
   public UValue get() {
-    return crossing.fromKernel(frame -> {
-      Datum told = context.notifications().find(frame.job(), behind());
-      if (told != null && told.foreign() instanceof BypassValue foreign) {
-        return foreign.value();
-      }
-      if (told != null && behind().isInput()) {
-        return context.conversion().toJava(told.value());
-      }
-      UrbiObject value = owner || told != null ? seen().value() : behind().readNow(frame);
-      return context.conversion().toJava(value);
-    });
+    return read(Message.Reading.VALUE, this::get);
+  }
+
+  private UValue get(Frame frame) {
+    Datum told = context.notifications().find(frame.job(), behind());
+    if (told != null && told.foreign() instanceof BypassValue foreign) {
+      return foreign.value();
+    }
+    if (told != null && behind().isInput()) {
+      return context.conversion().toJava(told.value());
+    }
+    UrbiObject value = owner || told != null ? seen().value() : behind().readNow(frame);
+    return context.conversion().toJava(value);
   }
 
   private Datum seen() {
@@ -87,19 +116,24 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void set(UValue value) {
-    crossing.inKernel(frame -> {
-      Datum datum =
-          bypass && value.getType() == UDataType.DATA_BINARY
-              ? new Datum(new BypassValue(context.conversion(), value))
-              : new Datum(context.conversion().toUrbi(value));
-      lastWritten = value.getType() == UDataType.DATA_DOUBLE ? value.doubleValue() : Double.NaN;
-      if (owner) {
-        behind().set(frame, datum);
-      } else {
-        behind().write(frame, datum);
-      }
-      return null;
-    });
+    crossing.inKernel(
+        frame -> set(frame, value),
+        this,
+        asked -> new Message.VariableWritten(asked, number, value));
+  }
+
+  private @Nullable Void set(Frame frame, UValue value) {
+    Datum datum =
+        bypass && value.getType() == UDataType.DATA_BINARY
+            ? new Datum(new BypassValue(context.conversion(), value))
+            : new Datum(context.conversion().toUrbi(value));
+    lastWritten = value.getType() == UDataType.DATA_DOUBLE ? value.doubleValue() : Double.NaN;
+    if (owner) {
+      behind().set(frame, datum);
+    } else {
+      behind().write(frame, datum);
+    }
+    return null;
   }
 
   @Override
@@ -109,18 +143,29 @@ final class PluggedSlot implements USlot {
 
   @Override
   public long timestamp() {
-    return crossing.fromKernel(
-        frame -> (long) (Math.max(0, behind().writes().last()) / NANOSECONDS_PER_MICROSECOND));
+    return read(Message.Reading.TIMESTAMP, this::timestamp);
+  }
+
+  private long timestamp(Frame frame) {
+    return (long) (Math.max(0, behind().writes().last()) / NANOSECONDS_PER_MICROSECOND);
   }
 
   @Override
   public double in() {
-    return crossing.fromKernel(frame -> number(seen().value()));
+    return read(Message.Reading.INPUT, this::in);
+  }
+
+  private double in(Frame frame) {
+    return number(seen().value());
   }
 
   @Override
   public double out() {
-    return crossing.fromKernel(frame -> owner ? number(behind().visible().value()) : lastWritten);
+    return read(Message.Reading.OUTPUT, this::out);
+  }
+
+  private double out(Frame frame) {
+    return owner ? number(behind().visible().value()) : lastWritten;
   }
 
   private static double number(UrbiObject value) {
@@ -131,23 +176,33 @@ final class PluggedSlot implements USlot {
 
   @Override
   public UValue property(UProperty property) {
-    return crossing.fromKernel(frame -> {
-      UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
-      return value == null ? new UValue() : context.conversion().toJava(value);
-    });
+    return crossing.fromKernel(
+        frame -> property(frame, property),
+        this,
+        asked -> new Message.PropertyRead(asked, number, property));
+  }
+
+  private UValue property(Frame frame, UProperty property) {
+    UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
+    return value == null ? new UValue() : context.conversion().toJava(value);
   }
 
   @Override
   public void setProperty(UProperty property, UValue value) {
-    crossing.inKernel(frame -> {
-      UrbiObject given = context.conversion().toUrbi(value);
-      UrbiObject set =
-          property == UProperty.PROP_CONSTANT
-              ? frame.interpreter().values().bool(value.booleanValue())
-              : given;
-      Properties.set(frame, object(), symbol(frame), property.text(), set);
-      return null;
-    });
+    crossing.inKernel(
+        frame -> setProperty(frame, property, value),
+        this,
+        asked -> new Message.PropertyWritten(asked, number, property, value));
+  }
+
+  private @Nullable Void setProperty(Frame frame, UProperty property, UValue value) {
+    UrbiObject given = context.conversion().toUrbi(value);
+    UrbiObject set =
+        property == UProperty.PROP_CONSTANT
+            ? frame.interpreter().values().bool(value.booleanValue())
+            : given;
+    Properties.set(frame, object(), symbol(frame), property.text(), set);
+    return null;
   }
 
   private UrbiObject object() {
@@ -165,13 +220,30 @@ final class PluggedSlot implements USlot {
 
   // ------------------------------------------------------------------ how it behaves
 
+  private void ask(Message.Use use, boolean on) {
+    crossing.inKernel(
+        frame -> use(use, on), this, asked -> new Message.VariableUsed(asked, number, use, on));
+  }
+
+  private @Nullable Void use(Message.Use use, boolean on) {
+    switch (use) {
+      case OWNED -> {
+        behind().own(context::warn);
+        owner = on;
+      }
+      case BYPASS -> {
+        bypass = on;
+        behind().setBypass(on);
+      }
+      // Within one process nothing is sent, but the setting also applies to remote subscribers.
+      case RTP -> behind().setRtp(on);
+    }
+    return null;
+  }
+
   @Override
   public void own() {
-    crossing.inKernel(frame -> {
-      behind().own(context::warn);
-      owner = true;
-      return null;
-    });
+    ask(Message.Use.OWNED, true);
   }
 
   @Override
@@ -181,21 +253,13 @@ final class PluggedSlot implements USlot {
 
   @Override
   public boolean setBypass(boolean on) {
-    crossing.inKernel(frame -> {
-      bypass = on;
-      behind().setBypass(on);
-      return null;
-    });
+    ask(Message.Use.BYPASS, on);
     return true;
   }
 
   @Override
   public void useRtp(boolean on) {
-    // Within one process nothing is sent, but the setting also applies to remote subscribers.
-    crossing.inKernel(frame -> {
-      behind().setRtp(on);
-      return null;
-    });
+    ask(Message.Use.RTP, on);
   }
 
   @Override
@@ -239,12 +303,15 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void unnotify() {
-    crossing.inKernel(frame -> {
-      List<Runnable> all = List.copyOf(notifications);
-      notifications.clear();
-      all.forEach(Runnable::run);
-      return null;
-    });
+    crossing.inKernel(
+        frame -> endNotifications(), this, asked -> new Message.VariableUnnotified(asked, number));
+  }
+
+  private @Nullable Void endNotifications() {
+    List<Runnable> all = List.copyOf(notifications);
+    notifications.clear();
+    all.forEach(Runnable::run);
+    return null;
   }
 
   @Override

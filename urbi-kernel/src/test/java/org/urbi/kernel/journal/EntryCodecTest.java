@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -54,11 +55,19 @@ class EntryCodecTest {
             new UValue[] {new UValue(1.5), new UValue("text")},
             Message.class,
             new Message.InputEnded(3));
+    return type.isEnum()
+        ? type.getEnumConstants()[1]
+        : type == Data.class ? new Data(List.of(1.5, new Data.Handle(7))) : sample(type, samples);
+  }
+
+  private static Object sample(Class<?> type, Map<Class<?>, Object> samples) {
     return type == Outcome.class
         ? new Outcome(12L, null)
         : type == InetSocketAddress.class
             ? new InetSocketAddress("127.0.0.1", 54000)
-            : Objects.requireNonNull(samples.get(type), type::toString);
+            : type == UValue.class
+                ? new UValue("text")
+                : Objects.requireNonNull(samples.get(type), type::toString);
   }
 
   private static Stream<Class<?>> records(Class<?> type) {

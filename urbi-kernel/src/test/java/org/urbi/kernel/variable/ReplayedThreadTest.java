@@ -1,0 +1,100 @@
+package org.urbi.kernel.variable;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Kernel;
+import urbi.UContext;
+import urbi.UObject;
+import urbi.UProperty;
+import urbi.UVar;
+
+/** A run whose component has a thread of its own is replayed without what that thread does. */
+class ReplayedThreadTest {
+  private static final Client SILENT =
+      new Client() {
+        @Override
+        public void output(String bytes) {}
+
+        @Override
+        public void closed() {}
+      };
+
+  /** How the threads of all sensors have ended. */
+  private static final BlockingQueue<String> ENDS = new LinkedBlockingQueue<>();
+
+  /** Senses on a thread of its own, which nobody can foresee. */
+  public static final class Sensor extends UObject {
+    private final UVar value = new UVar();
+    private final UVar owned = new UVar();
+
+    public Sensor(String name) {
+      super(name);
+      UBindVar(value, "value");
+      UBindVar(owned, "owned");
+      UOwned(owned);
+      UBindFunctions("begin");
+    }
+
+    public void begin() {
+      UContext context = UContext.current();
+      Thread.ofPlatform().daemon().start(() -> sense(context));
+    }
+
+    private void sense(UContext context) {
+      UContext.enter(context);
+      try {
+        for (int i = 0; i < 3; i++) {
+          value.setValue(i + Math.random());
+          value.setValue(value.doubleValue() * 2);
+        }
+        owned.setValue(value.doubleValue());
+        value.setProp(UProperty.PROP_RANGEMAX, 100);
+        value.setValue(1000 + value.getProp(UProperty.PROP_RANGEMAX).doubleValue());
+        UVar other = new UVar("Sensor.other");
+        other.setValue("text");
+        value.unnotify();
+        other.setValue("done");
+        ENDS.add("done");
+      } catch (IllegalStateException e) {
+        ENDS.add(e.getMessage());
+      }
+    }
+  }
+
+  @TempDir Path folder;
+
+  @Test
+  void whatAThreadHasWrittenIsWrittenAgain() throws Exception {
+    StringBuffer shown = new StringBuffer();
+    Path run = folder.resolve("run");
+    try (Kernel kernel =
+        Kernel.builder().virtualTime(true).output(shown::append).record(run).start()) {
+      kernel.start(Sensor.class);
+      kernel.eval(
+          "at (Sensor.value->changed?) echo(\"value: \" + Sensor.value);"
+              + " at (Sensor.owned->changed?) echo(\"owned: \" + Sensor.owned);"
+              + " UVar.new(Sensor, \"other\")|; Sensor.other = 0|;"
+              + " at (Sensor.other->changed?) echo(\"other: \" + Sensor.other);"
+              + " Sensor.begin(); waituntil (Sensor.other == \"done\"); echo(\"done\")");
+    }
+    assertEquals("done", ENDS.take());
+    for (String part : new String[] {"value: 0.", "value: 100\n", "other: text", "done\n"}) {
+      assertTrue(shown.toString().contains(part), shown.toString());
+    }
+
+    StringBuffer again = new StringBuffer();
+    Kernel replay = Kernel.builder().output(again::append).replay(run, number -> SILENT).start();
+    replay.awaitTermination();
+    assertNull(replay.replayDifference());
+    assertEquals(shown.toString(), again.toString());
+    assertEquals("in a replay, threads of components have no say", ENDS.take());
+  }
+}
