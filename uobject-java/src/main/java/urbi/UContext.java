@@ -150,8 +150,9 @@ public interface UContext {
 
   /**
    * Has nothing done but what this thread asks for, until {@link #unlock}: functions of UObjects
-   * are not called meanwhile, and urbiscript stands still if it is in the same process. It may be
-   * locked several times. Of no effect in code that the context has called, which excludes
+   * are not called meanwhile, and urbiscript stands still if it is in the same process. The lock
+   * ends with the thread, and when a job would be ended that holds the kernel for so long. It may
+   * be locked several times. Of no effect in code that the context has called, which excludes
    * everything else already.
    */
   void lock();

@@ -517,6 +517,7 @@ class ArchitectureTest {
                         String.class,
                         byte[].class,
                         InetSocketAddress.class,
+                        Message.class,
                         UValue.class,
                         UValue[].class,
                         Data.class,

@@ -1,8 +1,11 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -37,6 +40,10 @@ public final class Inbox {
 
   private final Journal journal;
   private final ConcurrentLinkedQueue<Message> messages = new ConcurrentLinkedQueue<>();
+
+  /** What is for those for whom everything else waits, by their numbers. */
+  private final Map<Integer, Queue<Message>> exclusive = new ConcurrentHashMap<>();
+
   private final AtomicInteger reserved = new AtomicInteger();
   private volatile boolean filled;
   private volatile @Nullable Thread waiting;
@@ -64,8 +71,18 @@ public final class Inbox {
     if (journal.isReplay()) {
       return;
     }
-    messages.add(message);
-    filled = true;
+    Queue<Message> own = exclusive.isEmpty() ? null : exclusive.get(message.to());
+    if (own == null) {
+      messages.add(message);
+      filled = true;
+    } else {
+      own.add(message);
+      if (exclusive.get(message.to()) != own && own.remove(message)) {
+        // Nobody takes it there any more.
+        post(message);
+        return;
+      }
+    }
     Thread sleeper = waiting;
     if (sleeper != null) {
       LockSupport.unpark(sleeper);
@@ -108,6 +125,44 @@ public final class Inbox {
   /** Removes a receiver: later messages to it are dropped. */
   public void forget(int number) {
     receivers.remove(number);
+  }
+
+  /**
+   * A job holds the kernel thread from now on, and takes itself what comes for that number, in the
+   * middle of a tick; all other messages wait.
+   */
+  public void takeAtOnce(int number) {
+    exclusive.put(number, new ConcurrentLinkedQueue<>());
+  }
+
+  /** Ends {@link #takeAtOnce}: what has not been taken waits like all other messages. */
+  public void endTakingAtOnce(int number) {
+    Queue<Message> own = requireNonNull(exclusive.remove(number), "it was taken at once");
+    for (Message left = own.poll(); left != null; left = own.poll()) {
+      post(left);
+    }
+  }
+
+  /**
+   * Waits for the next message to a number for which {@link #takeAtOnce} was called; in that job,
+   * which must stay on the kernel thread.
+   *
+   * @return null if there will be none: the thread was interrupted, or the recording says so
+   */
+  public @Nullable Message awaitAtOnce(int number) {
+    Queue<Message> own = requireNonNull(exclusive.get(number), "it is taken at once");
+    Message message = journal.nextAtOnce(own::poll);
+    if (message == null && !journal.isReplay()) {
+      journal.idle();
+      waiting = Thread.currentThread();
+      message = journal.nextAtOnce(own::poll);
+      while (message == null && !Thread.currentThread().isInterrupted()) {
+        LockSupport.park(this);
+        message = journal.nextAtOnce(own::poll);
+      }
+      waiting = null;
+    }
+    return message;
   }
 
   /** Sets a poller, which the kernel thread asks for messages itself; before the kernel starts. */

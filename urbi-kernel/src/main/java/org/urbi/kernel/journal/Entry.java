@@ -43,6 +43,9 @@ public sealed interface Entry {
   /** A message was taken from the inbox. */
   record MessageTaken(Message message) implements Entry {}
 
+  /** A message was taken by a job that had waited for it in the middle of a tick. */
+  record MessageTakenAtOnce(Message message) implements Entry {}
+
   /** The answer to a query of the outside, such as whether a file exists. */
   record QueryAnswered(Outcome outcome) implements Entry {}
 

@@ -27,6 +27,7 @@ public final class EntryCodec {
     add(10, Entry.RoundCut.class);
     add(11, Entry.RunStarted.class);
     add(12, Entry.JobGreedy.class);
+    add(13, Entry.MessageTakenAtOnce.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
     add(23, Message.ConsoleBytes.class);
@@ -87,6 +88,9 @@ public final class EntryCodec {
     add(93, Message.VariableUsed.class);
     add(94, Message.VariableUnnotified.class);
     add(95, Message.ClassStarted.class);
+    add(96, Message.KernelLocked.class);
+    add(97, Message.AskedWhileLocked.class);
+    add(98, Message.KernelUnlocked.class);
     add(101, Message.EmbeddingCancel.class);
     add(102, Message.EmbeddingWaits.class);
     add(103, Message.SourceEvaluated.class);

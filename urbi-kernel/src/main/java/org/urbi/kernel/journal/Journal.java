@@ -51,6 +51,11 @@ public interface Journal {
     return inbox.get();
   }
 
+  /** The next message that a job takes in the middle of a tick, or null. */
+  default @Nullable Message nextAtOnce(Supplier<@Nullable Message> inbox) {
+    return inbox.get();
+  }
+
   /** Queries the outside without waiting, for instance whether a file exists. */
   // The outcome is that of the work.
   @SuppressWarnings("unchecked")

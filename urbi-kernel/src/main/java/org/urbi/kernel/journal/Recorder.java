@@ -44,6 +44,15 @@ public final class Recorder implements Journal {
   }
 
   @Override
+  public @Nullable Message nextAtOnce(Supplier<@Nullable Message> inbox) {
+    Message message = inbox.get();
+    if (message != null) {
+      file.write(new Entry.MessageTakenAtOnce(message));
+    }
+    return message;
+  }
+
+  @Override
   public <T> @Nullable T query(Outcome.Work<T> work) throws IOException {
     Outcome outcome = Outcome.of(work);
     file.write(new Entry.QueryAnswered(outcome));

@@ -148,6 +148,15 @@ public final class Replay implements Journal {
   }
 
   @Override
+  public @Nullable Message nextAtOnce(Supplier<@Nullable Message> unused) {
+    if (next instanceof Entry.MessageTakenAtOnce taken && !over) {
+      advance();
+      return taken.message();
+    }
+    return null;
+  }
+
+  @Override
   // The outcome was recorded at the same query, of the same type.
   @SuppressWarnings("unchecked")
   public <T> @Nullable T query(Outcome.Work<T> unused) throws IOException {

@@ -385,6 +385,15 @@ public sealed interface Message {
   /** It starts that class of UObjects, which a replay looks for under that name of Java. */
   record ClassStarted(int number, String name) implements OfComponent {}
 
+  /** It locks the kernel; what it asks from then on goes to that receiver. */
+  record KernelLocked(int number, int lock) implements OfComponent {}
+
+  /** What a thread asks for that has locked the kernel. */
+  record AskedWhileLocked(int to, Message what) implements Message {}
+
+  /** A thread has unlocked the kernel, or has ended. */
+  record KernelUnlocked(int to) implements Message {}
+
   /** It asks for what only its own objects and code can say: a replay does not have them. */
   record ComponentRequest(int number) implements OfComponent {}
 

@@ -1,72 +1,60 @@
 package org.urbi.kernel.uobject;
 
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
-import org.urbi.kernel.job.KernelThreadPin;
-import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.message.Message;
 
 /**
  * The lock of the kernel by a thread ({@link urbi.UContext#lock}): a job occupies the kernel thread
- * and executes only the requests of the owner, until that unlocks it or dies.
+ * and does only what the owner asks for, until that unlocks it or ends. Used by the owner.
  */
 final class KernelLock {
-  private static final long POLL_MILLISECONDS = 50;
-
-  private final BlockingQueue<Consumer<Frame>> tasks = new LinkedBlockingQueue<>();
-  private final Thread owner;
-  private final BooleanSupplier over;
-  private volatile boolean ended;
+  private final Inbox inbox;
+  private final int receiver;
+  private final Thread watch;
   private int depth = 1;
 
-  /**
-   * @param over whether the kernel has ended
-   */
-  KernelLock(Thread owner, BooleanSupplier over) {
-    this.owner = owner;
-    this.over = over;
+  /** The calling thread is about to lock the kernel. */
+  KernelLock(Inbox inbox) {
+    this.inbox = inbox;
+    this.receiver = inbox.reserve();
+    Thread owner = Thread.currentThread();
+    watch = FailureLog.THREADS.virtual("urbi-lock", () -> unlockAfter(owner));
+    watch.start();
   }
 
-  /** Adds a request; called by the owner. */
-  void add(Consumer<Frame> task) {
-    tasks.add(task);
+  /** Nobody else could unlock it when its owner has ended. */
+  private void unlockAfter(Thread owner) {
+    try {
+      owner.join();
+      inbox.post(new Message.KernelUnlocked(receiver));
+    } catch (InterruptedException unlocked) {
+      // The owner has unlocked it.
+    }
   }
 
-  /** The owner locks once more. */
+  /** The receiver of what the owner asks for. */
+  int receiver() {
+    return receiver;
+  }
+
+  /** Asks for something. */
+  void ask(Message.OfComponent what) {
+    inbox.post(new Message.AskedWhileLocked(receiver, what));
+  }
+
+  /** Locks it once more. */
   void enter() {
     depth++;
   }
 
-  /** The owner unlocks once: true if that was the outermost lock. */
+  /** Unlocks it once: true if that was the outermost lock. */
   boolean end() {
-    ended = --depth == 0;
-    if (ended) {
-      tasks.add(frame -> {});
+    depth--;
+    if (depth == 0) {
+      watch.interrupt();
+      inbox.post(new Message.KernelUnlocked(receiver));
     }
-    return ended;
-  }
-
-  /** Executes the requests of the owner, and nothing else, until it unlocks; in a job. */
-  void serve(Frame frame) {
-    KernelThreadPin.pin();
-    try {
-      while (!ended && owner.isAlive() && !over.getAsBoolean()) {
-        Consumer<Frame> task = tasks.poll(POLL_MILLISECONDS, TimeUnit.MILLISECONDS);
-        if (task != null) {
-          KernelThreadPin.unpin();
-          try {
-            task.accept(frame);
-          } finally {
-            KernelThreadPin.pin();
-          }
-        }
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } finally {
-      KernelThreadPin.unpin();
-    }
+    return depth == 0;
   }
 }

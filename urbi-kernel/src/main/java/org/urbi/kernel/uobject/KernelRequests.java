@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -10,6 +11,10 @@ import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.ComponentCode;
+import org.urbi.kernel.job.ControlFlowException;
+import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
@@ -36,6 +41,9 @@ final class KernelRequests {
         future.complete(
             KernelCrossing.translated(
                 frame, of -> task == null ? (T) tasks.run(of, asked, slot) : task.apply(of)));
+      } catch (ControlFlowException e) {
+        future.completeExceptionally(stopped());
+        throw e;
       } catch (RuntimeException | Error e) {
         future.completeExceptionally(e);
       }
@@ -43,6 +51,7 @@ final class KernelRequests {
   }
 
   private final Interpreter interpreter;
+  private final Inbox inbox;
   private final ComponentTasks tasks;
   private final AtomicInteger last = new AtomicInteger();
   private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
@@ -51,6 +60,7 @@ final class KernelRequests {
 
   KernelRequests(Interpreter interpreter, ComponentTasks tasks) {
     this.interpreter = interpreter;
+    this.inbox = interpreter.scheduler().inbox();
     this.tasks = tasks;
   }
 
@@ -77,37 +87,78 @@ final class KernelRequests {
   }
 
   private <T> @Nullable T ask(IntFunction<? extends Message.OfComponent> what, Request<T> request) {
-    if (interpreter.scheduler().journal().isReplay()) {
-      throw new IllegalStateException(Problem.IN_REPLAY.text());
-    }
-    CompletableFuture<T> future = request.future();
-    Message.OfComponent asked = what.apply(last.incrementAndGet());
-    pending.put(asked.number(), request);
-    KernelLock hold = held.get();
-    if (hold == null) {
-      interpreter.scheduler().inbox().post(asked);
-    } else {
-      hold.add(frame -> {
-        pending.remove(asked.number());
-        request.perform(frame, tasks, asked);
-      });
-    }
-    if (over) {
-      // Unless that has been done already: it may be what the kernel has ended for.
-      future.completeExceptionally(ended());
-    }
+    refuseInReplay();
+    post(what.apply(last.incrementAndGet()), request, held.get());
     try {
-      return future.get();
+      return request.future().get();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CancellationException(Problem.WAIT_INTERRUPTED.text());
     } catch (ExecutionException e) {
-      throw switch (e.getCause()) {
-        case RuntimeException failure -> failure;
-        case Throwable other -> new IllegalStateException(other);
-      };
+      throw thrown(e.getCause());
     }
   }
+
+  private void refuseInReplay() {
+    if (interpreter.scheduler().journal().isReplay()) {
+      throw new IllegalStateException(Problem.IN_REPLAY.text());
+    }
+  }
+
+  private void post(Message.OfComponent asked, Request<?> request, @Nullable KernelLock lock) {
+    pending.put(asked.number(), request);
+    if (lock == null) {
+      inbox.post(asked);
+    } else {
+      lock.ask(asked);
+    }
+    if (over) {
+      // Unless that has been done already: it may be what the kernel has ended for.
+      request.future().completeExceptionally(ended());
+    }
+  }
+
+  private static RuntimeException thrown(@Nullable Throwable failure) {
+    return failure instanceof RuntimeException e ? e : new IllegalStateException(failure);
+  }
+
+  /**
+   * Locks the kernel: until {@link #unlock} it does only what this thread asks for.
+   *
+   * @throws IllegalStateException if the kernel has ended
+   */
+  void lock() {
+    KernelLock present = held.get();
+    if (present != null) {
+      present.enter();
+      return;
+    }
+    refuseInReplay();
+    KernelLock made = new KernelLock(inbox);
+    Request<Void> request = new Request<>(null, null, new CompletableFuture<>());
+    post(new Message.KernelLocked(last.incrementAndGet(), made.receiver()), request, null);
+    try {
+      // Nobody may stop waiting for a lock that he will have.
+      request.future().join();
+      held.set(made);
+    } catch (CancellationException e) {
+      made.end();
+      throw e;
+    } catch (CompletionException e) {
+      made.end();
+      throw thrown(e.getCause());
+    }
+  }
+
+  /** Ends what {@link #lock} began. */
+  void unlock() {
+    KernelLock present = held.get();
+    if (present != null && present.end()) {
+      held.remove();
+    }
+  }
+
+  // ------------------------------------------------------------------ on the kernel thread
 
   /** Starts the job for a request. */
   void start(Message.OfComponent asked, UrbiObject lobby) {
@@ -122,13 +173,69 @@ final class KernelRequests {
             lobby,
             scheduler.rootScope(),
             "uobject",
-            job ->
-                request.perform(
-                    Frame.top(interpreter, job, lobby, new FrameLayout()), tasks, asked))
+            job -> {
+              Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
+              if (asked instanceof Message.KernelLocked locked) {
+                serve(frame, locked.lock(), request);
+              } else {
+                request.perform(frame, tasks, asked);
+              }
+            })
         .onEnd(() -> {
           pending.remove(asked.number());
-          request.future().completeExceptionally(new CancellationException("stopped"));
+          request.future().completeExceptionally(stopped());
         });
+  }
+
+  /** Does only what the owner of a lock asks for, until that unlocks it; in a job. */
+  private void serve(Frame frame, int lock, Request<?> request) {
+    // After the end of the job, the owner is served like everybody else.
+    inbox.register(lock, message -> takeLate(message, frame.job().lobby()));
+    inbox.takeAtOnce(lock);
+    try {
+      request.future().complete(null);
+      Message message = next(frame, lock);
+      while (message instanceof Message.AskedWhileLocked(int to, Message.OfComponent asked)) {
+        perform(frame, asked);
+        message = next(frame, lock);
+      }
+      if (message != null) {
+        inbox.forget(lock);
+      }
+    } finally {
+      inbox.endTakingAtOnce(lock);
+    }
+  }
+
+  /** The wait is that of a component: whoever waits for too long is named and ended. */
+  private @Nullable Message next(Frame frame, int lock) {
+    ComponentCode waiting = frame.job().componentCode();
+    KernelThreadPin.pin();
+    String outer = waiting.enter("lock");
+    try {
+      return inbox.awaitAtOnce(lock);
+    } finally {
+      KernelThreadPin.unpin();
+      waiting.leave(outer);
+    }
+  }
+
+  private void perform(Frame frame, Message.OfComponent asked) {
+    Request<?> request = find(asked);
+    if (request == null) {
+      interpreter.scheduler().journal().missing(asked);
+      return;
+    }
+    pending.remove(asked.number());
+    request.perform(frame, tasks, asked);
+  }
+
+  private void takeLate(Message message, UrbiObject lobby) {
+    if (message instanceof Message.AskedWhileLocked(int to, Message.OfComponent asked)) {
+      start(asked, lobby);
+    } else {
+      inbox.forget(message.to());
+    }
   }
 
   /** The request of a message. In a replay nobody waits for it, and it may need its thread. */
@@ -143,44 +250,8 @@ final class KernelRequests {
         : new Request<>(slot, null, new CompletableFuture<>());
   }
 
-  /** Locks the kernel: until {@link #unlock} it executes only requests of this thread. */
-  void lock() {
-    KernelLock present = held.get();
-    if (present != null) {
-      present.enter();
-      return;
-    }
-    KernelLock made = new KernelLock(Thread.currentThread(), () -> over);
-    CompletableFuture<Void> begun = new CompletableFuture<>();
-    int number = last.incrementAndGet();
-    pending.put(
-        number,
-        new Request<Void>(
-            null,
-            frame -> {
-              begun.complete(null);
-              made.serve(frame);
-              return null;
-            },
-            begun));
-    try {
-      interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
-      if (over) {
-        throw ended();
-      }
-      begun.join();
-      held.set(made);
-    } finally {
-      pending.remove(number);
-    }
-  }
-
-  /** Ends what {@link #lock} began. */
-  void unlock() {
-    KernelLock present = held.get();
-    if (present != null && present.end()) {
-      held.remove();
-    }
+  private static CancellationException stopped() {
+    return new CancellationException("stopped");
   }
 
   static IllegalStateException ended() {
