@@ -37,7 +37,6 @@ import java.util.stream.Stream;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
-import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
 
 /**
@@ -521,17 +520,28 @@ class ArchitectureTest {
                         UValue.class,
                         UValue[].class,
                         Data.class,
-                        Outcome.class);
+                        // What it says is written; what it is, stays with whoever waits for it.
+                        Throwable.class);
 
                 @Override
                 public void check(JavaClass message, ConditionEvents events) {
                   Class<?> type = message.reflect();
-                  boolean data =
-                      type.isRecord()
-                          && Stream.of(type.getRecordComponents())
-                              .map(RecordComponent::getType)
-                              .allMatch(part -> DATA.contains(part) || part.isEnum());
+                  boolean data = type.isInterface() ? type.isSealed() : isRecord(type);
                   events.add(new SimpleConditionEvent(message, data, type + " is data: " + data));
+                }
+
+                private boolean isRecord(Class<?> type) {
+                  return type.isRecord()
+                      && Stream.of(type.getRecordComponents())
+                          .map(RecordComponent::getType)
+                          .allMatch(this::isData);
+                }
+
+                private boolean isData(Class<?> type) {
+                  return DATA.contains(type)
+                      || type.isEnum()
+                      || type.isSealed()
+                          && Stream.of(type.getPermittedSubclasses()).allMatch(this::isRecord);
                 }
               });
 

@@ -13,8 +13,8 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
-import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
@@ -71,12 +71,12 @@ final class ConnectionFeed {
   }
 
   CompletableFuture<String> give(String path, @Nullable Object value) {
-    Outcome sent = new Outcome(value, null);
+    Data sent = new Data(value);
     return post(id -> new Message.ValueGiven(number, id, path, sent)).thenApply(CallEnd::error);
   }
 
   CompletableFuture<CallEnd> call(String path, List<@Nullable Object> arguments) {
-    Outcome sent = new Outcome(arguments, null);
+    Data sent = new Data(arguments);
     return post(id -> new Message.FunctionCalled(number, id, path, sent));
   }
 

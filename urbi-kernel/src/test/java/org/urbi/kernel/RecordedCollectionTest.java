@@ -59,8 +59,8 @@ class RecordedCollectionTest {
         RecordingWriter out =
             new RecordingWriter("other", Files.newOutputStream(other), trouble -> {})) {
       for (Entry entry = in.next(); entry != null; entry = in.next()) {
-        boolean cid = entry.equals(new Entry.QueryAnswered(new Outcome(List.of(4L), null)));
-        out.write(cid ? new Entry.QueryAnswered(new Outcome(List.of(2L), null)) : entry);
+        boolean cid = entry.equals(new Entry.QueryAnswered(Outcome.value(List.of(4L))));
+        out.write(cid ? new Entry.QueryAnswered(Outcome.value(List.of(2L))) : entry);
       }
     }
     String difference = ReplayedRun.difference(other);

@@ -99,14 +99,14 @@ final class DataReader {
 
   private Outcome outcome() {
     int kind = octet();
-    return kind == 0 ? new Outcome(any(), null) : new Outcome(null, FailureCodec.read(kind, this));
+    return kind == 0 ? Outcome.value(any()) : new Outcome.Failure(FailureCodec.read(kind, this));
   }
 
   /** Reads a value, which starts with the number of its type. */
   @Nullable Object any() {
     int kind = octet();
     return switch (kind) {
-      case DataWriter.NULL, DataWriter.LIVE -> null;
+      case DataWriter.NULL -> null;
       case DataWriter.FALSE -> false;
       case DataWriter.TRUE -> true;
       case DataWriter.INT -> (int) number();

@@ -29,11 +29,8 @@ final class DataWriter {
   static final int ADDRESS = 11;
   static final int UVALUE = 12;
 
-  /** A live object, such as an open file, which a replay does not have. */
-  static final int LIVE = 13;
-
-  static final int DURATION = 14;
-  static final int HANDLE = 15;
+  static final int DURATION = 13;
+  static final int HANDLE = 14;
 
   private final WireOutput out = new WireOutput(1 << 12);
 
@@ -87,11 +84,12 @@ final class DataWriter {
   }
 
   private void outcome(Outcome outcome) {
-    if (outcome.failure() == null) {
-      octet(0);
-      any(outcome.value());
-    } else {
-      FailureCodec.write(this, outcome.failure());
+    switch (outcome) {
+      case Outcome.Value value -> {
+        octet(0);
+        any(value.data().value());
+      }
+      case Outcome.Failure failure -> FailureCodec.write(this, failure.thrown());
     }
   }
 
@@ -155,7 +153,7 @@ final class DataWriter {
         octet(HANDLE);
         number(handle.number());
       }
-      default -> octet(LIVE);
+      default -> throw new IllegalArgumentException(value.getClass().getName());
     }
   }
 

@@ -57,10 +57,8 @@ public interface Journal {
   }
 
   /** Queries the outside without waiting, for instance whether a file exists. */
-  // The outcome is that of the work.
-  @SuppressWarnings("unchecked")
   default <T> @Nullable T query(Outcome.Work<T> work) throws IOException {
-    return (T) Outcome.of(work).get();
+    return Outcome.now(work);
   }
 
   /** Queries what is always there, and cannot fail. */

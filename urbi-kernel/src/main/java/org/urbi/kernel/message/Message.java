@@ -198,17 +198,16 @@ public sealed interface Message {
   /**
    * Somebody gives a slot a value.
    *
-   * @param value of the outcome: a Double, Boolean, String, a List or Map of these, or null for nil
+   * @param value a Double, Boolean, String, a List or Map of these, or null for nil
    */
-  record ValueGiven(int to, int question, String path, Outcome value) implements OfVariables {}
+  record ValueGiven(int to, int question, String path, Data value) implements OfVariables {}
 
   /**
    * Somebody calls the function in a slot.
    *
-   * @param arguments of the outcome: a List of what may be {@linkplain ValueGiven given}
+   * @param arguments a List of what may be {@linkplain ValueGiven given}
    */
-  record FunctionCalled(int to, int question, String path, Outcome arguments)
-      implements OfVariables {}
+  record FunctionCalled(int to, int question, String path, Data arguments) implements OfVariables {}
 
   // ------------------------------------------------------------------ remote processes
 

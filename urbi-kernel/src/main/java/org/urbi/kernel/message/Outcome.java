@@ -5,25 +5,46 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
- * The outcome of work done outside the kernel thread: its result or its failure.
- *
- * @param value the result, if there is no failure: a value that the journal can write, or a live
- *     object (an open file, say), which a replay does not have
- * @param failure what was thrown, or null
+ * The outcome of work done outside the kernel thread. A live object that the work has got, such as
+ * an open file, stays with whoever waits for it.
  */
-public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
+public sealed interface Outcome {
+  /** The work was done, with that result. */
+  record Value(Data data) implements Outcome {}
+
+  /** The work has failed; a replay is told the kind of failure and its text. */
+  record Failure(Throwable thrown) implements Outcome {}
+
   /** Work that can fail. */
   @FunctionalInterface
-  public interface Work<T> {
+  interface Work<T> {
     @Nullable T run() throws Exception;
   }
 
-  /** Does some work, and keeps its outcome. */
-  public static Outcome of(Work<?> work) {
+  /** That result. */
+  static Outcome value(@Nullable Object value) {
+    return new Value(new Data(value));
+  }
+
+  /** Does some work, and keeps its outcome; a result that is no data is a failure. */
+  static Outcome of(Work<?> work) {
     try {
-      return new Outcome(work.run(), null);
+      return value(work.run());
     } catch (Throwable e) {
-      return new Outcome(null, e);
+      return new Failure(e);
+    }
+  }
+
+  /**
+   * Does some work at once.
+   *
+   * @throws IOException as {@link #get} does
+   */
+  static <T> @Nullable T now(Work<T> work) throws IOException {
+    try {
+      return work.run();
+    } catch (Throwable e) {
+      throw thrown(e);
     }
   }
 
@@ -35,22 +56,20 @@ public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
    */
   // Who asks knows what the work was.
   @SuppressWarnings("unchecked")
-  public <T> @Nullable T get() throws IOException {
-    if (failure == null) {
-      return (T) value;
-    }
-    if (failure instanceof IOException e) {
-      throw e;
-    }
-    if (failure instanceof RuntimeException e) {
-      throw e;
-    }
-    if (failure instanceof OutOfMemoryError) {
-      throw new IOException(Problem.MEMORY_EXHAUSTED.text(), failure);
-    }
-    if (failure instanceof Error e) {
-      throw e;
-    }
-    throw new IOException(failure);
+  default <T> @Nullable T get() throws IOException {
+    return switch (this) {
+      case Value value -> (T) value.data().value();
+      case Failure failure -> throw thrown(failure.thrown());
+    };
+  }
+
+  private static IOException thrown(Throwable failure) {
+    return switch (failure) {
+      case IOException e -> e;
+      case RuntimeException e -> throw e;
+      case OutOfMemoryError e -> new IOException(Problem.MEMORY_EXHAUSTED.text(), e);
+      case Error e -> throw e;
+      default -> new IOException(failure);
+    };
   }
 }

@@ -115,7 +115,11 @@ public final class Outside implements Closeable {
    * @throws IOException as the work does
    */
   public <T> T query(Outcome.Work<T> work) throws IOException {
-    return requireNonNull(open(work), "what is looked at is there");
+    return requireNonNull(look(work), "what is looked at is there");
+  }
+
+  private <T> @Nullable T look(Outcome.Work<T> work) throws IOException {
+    return scheduler.isKernelThread() ? scheduler.journal().query(work) : Outcome.now(work);
   }
 
   /**
@@ -124,7 +128,9 @@ public final class Outside implements Closeable {
    * @throws IOException as the work does
    */
   <T> @Nullable T open(Outcome.Work<T> work) throws IOException {
-    return scheduler.isKernelThread() ? scheduler.journal().query(work) : Outcome.of(work).get();
+    AtomicReference<@Nullable T> opened = new AtomicReference<>();
+    change(() -> opened.set(work.run()));
+    return opened.get();
   }
 
   /** A live object that is needed by work which is not executed in a replay. */
@@ -134,7 +140,7 @@ public final class Outside implements Closeable {
 
   /** A change of the machine, without a result. */
   interface Change {
-    void make() throws IOException;
+    void make() throws Exception;
   }
 
   /**
@@ -143,7 +149,7 @@ public final class Outside implements Closeable {
    * @throws IOException as the change does
    */
   void change(Change change) throws IOException {
-    open(() -> {
+    look(() -> {
       change.make();
       return null;
     });
@@ -199,8 +205,7 @@ public final class Outside implements Closeable {
 
   /**
    * Like {@link #await}, for work so short that other jobs would not notice: usually none of them
-   * runs before it is done. Its result may be null, and must be null in a replay if it is a live
-   * object.
+   * runs before it is done. Its result may be null.
    *
    * @throws IOException as the work did
    */
@@ -209,12 +214,21 @@ public final class Outside implements Closeable {
   }
 
   /**
+   * Like {@link #awaitBriefly}, for a live object, such as an open file: null in a replay.
+   *
+   * @throws IOException as the work did
+   */
+  public <T> @Nullable T openBriefly(Job job, Callable<T> work) throws IOException {
+    return opened(job, work, SPINS);
+  }
+
+  /**
    * Runs work on a thread of its own while the job waits and the others run.
    *
    * @throws IOException as the work did
    */
   public <T> T await(Job job, Callable<T> work) throws IOException {
-    return requireNonNull(awaitOpen(job, work), "what is waited for is there");
+    return requireNonNull(outcome(job, work, 0), "what is waited for is there");
   }
 
   /**
@@ -223,7 +237,20 @@ public final class Outside implements Closeable {
    * @throws IOException as the work did
    */
   <T> @Nullable T awaitOpen(Job job, Callable<T> work) throws IOException {
-    return outcome(job, work, 0);
+    return opened(job, work, 0);
+  }
+
+  /** The live object does not pass the inbox: who waits has it already when the answer comes. */
+  private <T> @Nullable T opened(Job job, Callable<T> work, int spins) throws IOException {
+    AtomicReference<@Nullable T> opened = new AtomicReference<>();
+    outcome(
+        job,
+        () -> {
+          opened.set(work.call());
+          return null;
+        },
+        spins);
+    return opened.get();
   }
 
   private <T> @Nullable T outcome(Job job, Callable<T> work, int spins) throws IOException {
@@ -242,7 +269,7 @@ public final class Outside implements Closeable {
       return answer.await().get();
     }
     answer.abandon();
-    return open(() -> requireNonNull(early.get(), "it was there").get());
+    return look(() -> requireNonNull(early.get(), "it was there").get());
   }
 
   /** A property of the Java machine, such as {@code os.name}; empty if it has none. */

@@ -15,6 +15,9 @@ final class AwaitedResult {
   private final PendingAnswer answer;
   private boolean waiting;
 
+  /** What the kernel thread itself has brought about; it passes no inbox. */
+  private @Nullable Object own;
+
   AwaitedResult(Job job) {
     scheduler = job.scheduler();
     answer = new PendingAnswer(job, Wait.COMPONENT);
@@ -26,13 +29,12 @@ final class AwaitedResult {
    * @throws CompletionException if the result is a failure
    */
   @Nullable Object await(CompletionStage<?> stage) {
-    stage.whenComplete((result, thrown) -> complete(new Outcome(result, thrown)));
+    stage.whenComplete(this::complete);
     waiting = true;
-    Outcome outcome = answer.await();
-    if (outcome.failure() != null) {
-      throw new CompletionException(outcome.failure());
-    }
-    return outcome.value();
+    return switch (answer.await()) {
+      case Outcome.Value value -> own == null ? value.data().value() : own;
+      case Outcome.Failure failure -> throw new CompletionException(failure.thrown());
+    };
   }
 
   /**
@@ -40,11 +42,12 @@ final class AwaitedResult {
    * that. If the result was there before the wait began, its time is unknown, so it is posted as a
    * message.
    */
-  private void complete(Outcome outcome) {
+  private void complete(@Nullable Object result, @Nullable Throwable thrown) {
     if (scheduler.isKernelThread() && waiting) {
-      answer.arrived(outcome);
+      own = result;
+      answer.arrived(thrown == null ? Outcome.value(null) : new Outcome.Failure(thrown));
     } else {
-      answer.post(outcome);
+      answer.post(ComponentResult.of(result, thrown));
     }
   }
 }

@@ -1,7 +1,6 @@
 package org.urbi.kernel.uobject;
 
 import java.lang.invoke.MethodHandle;
-import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -95,11 +94,7 @@ final class BoundFunction extends Code {
   private UrbiObject threaded(Frame caller, CallSite site, UrbiObject[] arguments) {
     try {
       Object[] converted = converted(caller, arguments);
-      Object result = ThreadedCall.await(context, caller, callback, converted);
-      return context
-          .converters()
-          .result(
-              result instanceof CompletionStage<?> stage ? context.await(caller, stage) : result);
+      return context.converters().result(ThreadedCall.await(context, caller, callback, converted));
     } catch (Throwable e) {
       throw JavaFailures.inFunction(context, caller, site, callback.name(), arguments, e);
     }

@@ -13,7 +13,6 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.log.FailureLog;
-import org.urbi.kernel.message.Outcome;
 import urbi.UContext;
 
 /**
@@ -29,6 +28,21 @@ final class NativeThread {
   /** The thread's stack, for calls on top of calls; the system provides it page by page. */
   private static final long STACK_BYTES = 64L << 20;
 
+  /**
+   * What has come of code that one of the two threads has executed for the other.
+   *
+   * @param failure what it has thrown, or null
+   */
+  private record Handed(@Nullable Object value, @Nullable Throwable failure) {
+    static Handed of(Supplier<?> code) {
+      try {
+        return new Handed(code.get(), null);
+      } catch (Throwable e) {
+        return new Handed(null, e);
+      }
+    }
+  }
+
   /** What the kernel thread gives this one to do. */
   private sealed interface Order {}
 
@@ -36,7 +50,7 @@ final class NativeThread {
   private record Begin(Supplier<?> code) implements Order {}
 
   /** What came of a request: the call on top goes on. */
-  private record Answer(Outcome outcome) implements Order {}
+  private record Answer(Handed outcome) implements Order {}
 
   private record End() implements Order {}
 
@@ -44,7 +58,7 @@ final class NativeThread {
   private sealed interface Step {}
 
   /** The call on top has returned. */
-  private record Returned(Outcome outcome) implements Step {}
+  private record Returned(Handed outcome) implements Step {}
 
   /** The call on top wants something of the kernel. */
   private record Request(Supplier<?> task) implements Step {}
@@ -96,10 +110,10 @@ final class NativeThread {
 
   /** The kernel thread would wait for the call on top for ever. */
   private void failed(Throwable defect) {
-    steps.add(new Returned(new Outcome(null, defect)));
+    steps.add(new Returned(new Handed(null, defect)));
   }
 
-  private static @Nullable Object result(Outcome outcome) {
+  private static @Nullable Object result(Handed outcome) {
     switch (outcome.failure()) {
       case null -> {
         return outcome.value();
@@ -111,7 +125,7 @@ final class NativeThread {
   }
 
   /** Executes what the call on top asks for, until it has returned. */
-  private Outcome serve(Call call) {
+  private Handed serve(Call call) {
     while (true) {
       switch (uninterruptibly(steps)) {
         case Returned step -> {
@@ -125,13 +139,13 @@ final class NativeThread {
   }
 
   /** Executes a request, which may let others run, and waits until its call is on top again. */
-  private Outcome perform(Call call, Supplier<?> task) {
-    Outcome outcome;
+  private Handed perform(Call call, Supplier<?> task) {
+    Handed outcome;
     try {
-      outcome = Outcome.of(task::get);
+      outcome = Handed.of(task);
       awaitTurn(call);
     } catch (ControlFlowException e) {
-      outcome = new Outcome(null, e);
+      outcome = new Handed(null, e);
     }
     if (outcome.failure() instanceof ControlFlowException e && calls.peek() != call) {
       // The job ends now. The call has to wait until it is on top.
@@ -166,7 +180,7 @@ final class NativeThread {
       return;
     }
     if (top.ended != null) {
-      orders.add(new Answer(new Outcome(null, top.ended)));
+      orders.add(new Answer(new Handed(null, top.ended)));
       serve(top);
     } else if (top.waiting != null) {
       top.waiting.wake();
@@ -215,10 +229,10 @@ final class NativeThread {
   }
 
   /** Executes calls on top of the present one until that goes on; null at the end. */
-  private @Nullable Outcome executeUntilAnswer() {
+  private @Nullable Handed executeUntilAnswer() {
     while (true) {
       switch (uninterruptibly(orders)) {
-        case Begin order -> steps.add(new Returned(Outcome.of(order.code()::get)));
+        case Begin order -> steps.add(new Returned(Handed.of(order.code())));
         case Answer order -> {
           return order.outcome();
         }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.uobject;
 
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.PendingAnswer;
@@ -25,27 +27,41 @@ final class ThreadedCall {
       PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
       throws Throwable {
     PendingAnswer answer = new PendingAnswer(caller.job(), Wait.COMPONENT);
-    Runnable call = () -> answer.post(run(callback, arguments));
+    Runnable call = () -> run(answer, callback, arguments);
     if (!caller.job().scheduler().attempt(() -> callback.execute(context, call))) {
-      answer.arrived(new Outcome(null, null));
+      answer.arrived(Outcome.value(null));
       return null;
     }
-    Outcome outcome = answer.await();
-    Throwable failure = outcome.failure();
-    if (failure == null) {
-      return outcome.value();
-    }
-    throw failure instanceof PropagatedUrbiException || failure instanceof KernelRefusal
+    return switch (answer.await()) {
+      case Outcome.Value value -> value.data().value();
+      case Outcome.Failure failure -> throw thrown(failure.thrown());
+    };
+  }
+
+  private static Throwable thrown(Throwable failure) {
+    return failure instanceof PropagatedUrbiException
+            || failure instanceof KernelRefusal
+            || failure instanceof CompletionException
         ? failure
         : new IllegalStateException(
             Problem.CAUGHT_IN_THREAD.text(JavaFailures.text(failure)), failure);
   }
 
-  private static Outcome run(UCallback callback, Object[] arguments) {
+  private static void run(PendingAnswer answer, UCallback callback, Object[] arguments) {
+    Object result;
     try {
-      return new Outcome(callback.call(arguments), null);
+      result = callback.call(arguments);
     } catch (Throwable e) {
-      return new Outcome(null, e);
+      answer.post(new Outcome.Failure(e));
+      return;
+    }
+    if (result instanceof CompletionStage<?> stage) {
+      stage.whenComplete((value, failure) ->
+          answer.post(
+              ComponentResult.of(
+                  value, failure == null ? null : new CompletionException(failure))));
+    } else {
+      answer.post(ComponentResult.of(result, null));
     }
   }
 }

@@ -13,7 +13,7 @@ import org.urbi.kernel.message.Outcome;
 /** What a job waits for, and another thread brings about. */
 class PendingAnswerTest {
   private final Loop loop = new Loop();
-  private final Outcome outcome = new Outcome("there", null);
+  private final Outcome outcome = Outcome.value("there");
 
   @Test
   void theJobWaitsUntilItIsThereWhileTheOthersGoOn() {
@@ -60,7 +60,7 @@ class PendingAnswerTest {
     loop.start(job -> {
       PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       answer.post(outcome);
-      answer.post(new Outcome("again", null));
+      answer.post(Outcome.value("again"));
       assertSame(outcome, answer.await());
       job.yieldNow();
       assertSame(outcome, answer.await());

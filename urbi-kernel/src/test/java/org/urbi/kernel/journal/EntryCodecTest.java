@@ -3,9 +3,9 @@ package org.urbi.kernel.journal;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
 import java.net.InetSocketAddress;
@@ -62,7 +62,7 @@ class EntryCodecTest {
 
   private static Object sample(Class<?> type, Map<Class<?>, Object> samples) {
     return type == Outcome.class
-        ? new Outcome(12L, null)
+        ? Outcome.value(12L)
         : type == InetSocketAddress.class
             ? new InetSocketAddress("127.0.0.1", 54000)
             : type == UValue.class
@@ -100,6 +100,10 @@ class EntryCodecTest {
     }
   }
 
+  private static Throwable copy(Throwable failure) {
+    return ((Outcome.Failure) copy(new Outcome.Failure(failure))).thrown();
+  }
+
   private static Outcome copy(Outcome outcome) {
     return ((Entry.QueryAnswered) copy(new Entry.QueryAnswered(outcome))).outcome();
   }
@@ -118,18 +122,27 @@ class EntryCodecTest {
             Path.of("a/b"),
             List.of("a", 1),
             Map.of("k", "v"))) {
-      assertEquals(value, copy(new Outcome(value, null)).value());
+      assertEquals(Outcome.value(value), copy(Outcome.value(value)));
     }
-    assertNull(copy(new Outcome(new Object(), null)).value());
+  }
+
+  /** A replay would not have it. */
+  @Test
+  void whatIsNoDataIsRefused() {
+    for (Object live :
+        List.of(new Object(), new ByteArrayInputStream(new byte[0]), Map.of("k", this))) {
+      assertThrows(IllegalArgumentException.class, () -> new Data(live));
+      assertThrows(IllegalArgumentException.class, () -> new DataWriter().any(live));
+      assertInstanceOf(Outcome.Failure.class, Outcome.of(() -> live));
+    }
   }
 
   @Test
   void whatTheMachineRefusesIsReadAgain() {
-    Throwable none = copy(new Outcome(null, new NoSuchFileException("f", null, "why"))).failure();
+    Throwable none = copy(new NoSuchFileException("f", null, "why"));
     assertEquals("f", assertInstanceOf(NoSuchFileException.class, none).getFile());
-    assertEquals("full", copy(new Outcome(null, new IOException("full"))).failure().getMessage());
-    assertEquals(
-        "bad", copy(new Outcome(null, new IllegalStateException("bad"))).failure().getMessage());
+    assertEquals("full", copy(new IOException("full")).getMessage());
+    assertEquals("bad", copy(new IllegalStateException("bad")).getMessage());
   }
 
   @Test

@@ -179,7 +179,7 @@ class ChildProcessTest {
       Fake fake = new Fake(late(coming));
       ChildProcess child = new ChildProcess(outside, fake, new Budget());
       for (int i = 0; i < 3; i++) {
-        outside.await(job, () -> outside);
+        outside.await(job, () -> true);
         assertTrue(child.isRunning(), "its output is not there yet");
       }
       coming.countDown();

@@ -5,12 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.TestTimeout;
+import urbi.LockMode;
 import urbi.UContext;
 import urbi.UObject;
 import urbi.UProperty;
@@ -40,7 +45,21 @@ class ReplayedThreadTest {
       UBindVar(value, "value");
       UBindVar(owned, "owned");
       UOwned(owned);
-      UBindFunctions("begin");
+      UBindFunctions("begin", "later");
+      UBindThreadedFunction("measure", LockMode.LOCK_NONE);
+      UBindThreadedFunction("measureLater", LockMode.LOCK_NONE);
+    }
+
+    public List<Double> measure() {
+      return List.of(Math.random());
+    }
+
+    public CompletableFuture<Double> measureLater() {
+      return CompletableFuture.supplyAsync(Math::random);
+    }
+
+    public CompletableFuture<UVar> later() {
+      return CompletableFuture.supplyAsync(() -> value);
     }
 
     public void begin() {
@@ -71,6 +90,10 @@ class ReplayedThreadTest {
 
   @TempDir Path folder;
 
+  private static String nextEnd() throws InterruptedException {
+    return ENDS.poll(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
+  }
+
   @Test
   void whatAThreadHasWrittenIsWrittenAgain() throws Exception {
     StringBuffer shown = new StringBuffer();
@@ -78,14 +101,16 @@ class ReplayedThreadTest {
     try (Kernel kernel =
         Kernel.builder().virtualTime(true).output(shown::append).record(run).start()) {
       kernel.start(Sensor.class);
-      kernel.eval(
-          "at (Sensor.value->changed?) echo(\"value: \" + Sensor.value);"
-              + " at (Sensor.owned->changed?) echo(\"owned: \" + Sensor.owned);"
-              + " UVar.new(Sensor, \"other\")|; Sensor.other = 0|;"
-              + " at (Sensor.other->changed?) echo(\"other: \" + Sensor.other);"
-              + " Sensor.begin(); waituntil (Sensor.other == \"done\"); echo(\"done\")");
+      CompletableFuture<Object> done =
+          kernel.evalAsync(
+              "at (Sensor.value->changed?) echo(\"value: \" + Sensor.value);"
+                  + " at (Sensor.owned->changed?) echo(\"owned: \" + Sensor.owned);"
+                  + " UVar.new(Sensor, \"other\")|; Sensor.other = 0|;"
+                  + " at (Sensor.other->changed?) echo(\"other: \" + Sensor.other);"
+                  + " Sensor.begin(); waituntil (Sensor.other == \"done\"); echo(\"done\")");
+      assertEquals("done", nextEnd());
+      done.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
     }
-    assertEquals("done", ENDS.take());
     for (String part : new String[] {"value: 0.", "value: 100\n", "other: text", "done\n"}) {
       assertTrue(shown.toString().contains(part), shown.toString());
     }
@@ -95,6 +120,27 @@ class ReplayedThreadTest {
     replay.awaitTermination();
     assertNull(replay.replayDifference());
     assertEquals(shown.toString(), again.toString());
-    assertEquals("in a replay, threads of components have no say", ENDS.take());
+    assertEquals("in a replay, threads of components have no say", nextEnd());
+  }
+
+  @Test
+  void whatAThreadHasFoundOutIsFoundOutAgain() {
+    StringBuffer shown = new StringBuffer();
+    Path run = folder.resolve("run");
+    try (Kernel kernel =
+        Kernel.builder().virtualTime(true).output(shown::append).record(run).start()) {
+      kernel.start(Sensor.class);
+      kernel.eval(
+          "Sensor.value = 7|; echo(Sensor.measure()); echo(Sensor.measureLater());"
+              + " echo(Sensor.later().val)");
+    }
+    assertTrue(
+        shown.toString().matches("(?s).*\\[0\\.\\d+].*0\\.\\d+\n.*\\*\\*\\* 7\n"),
+        shown.toString());
+    StringBuffer again = new StringBuffer();
+    Kernel replay = Kernel.builder().output(again::append).replay(run, number -> SILENT).start();
+    replay.awaitTermination();
+    assertNull(replay.replayDifference());
+    assertEquals(shown.toString(), again.toString());
   }
 }

@@ -34,6 +34,7 @@ import org.urbi.kernel.journal.Entry;
 import org.urbi.kernel.journal.RecordingException;
 import org.urbi.kernel.journal.RecordingReader;
 import org.urbi.kernel.journal.RecordingWriter;
+import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.observe.CallEnd;
@@ -272,9 +273,9 @@ class RecordedRunTest {
           source,
           before,
           entry ->
-              entry instanceof Entry.QueryAnswered(Outcome(var value, var failure))
+              entry instanceof Entry.QueryAnswered(Outcome.Value(Data(var value)))
                       && kind.isInstance(value)
-                  ? new Entry.QueryAnswered(new Outcome(made.apply(kind.cast(value)), failure))
+                  ? new Entry.QueryAnswered(Outcome.value(made.apply(kind.cast(value))))
                   : entry,
           shown);
     }
@@ -303,7 +304,7 @@ class RecordedRunTest {
               Message.Answer.class,
               "process: ",
               answer ->
-                  new Message.Answer(answer.to(), new Outcome(null, new IOException("no shell"))),
+                  new Message.Answer(answer.to(), new Outcome.Failure(new IOException("no shell"))),
               "no shell"),
           Change.ofMessage(
               Message.BytesArrived.class,
@@ -386,10 +387,7 @@ class RecordedRunTest {
                 entry instanceof Entry.MessageTaken(Message.FunctionCalled call)
                     ? new Entry.MessageTaken(
                         new Message.FunctionCalled(
-                            call.to(),
-                            call.question(),
-                            call.path(),
-                            new Outcome(List.of(22.0), null)))
+                            call.to(), call.question(), call.path(), new Data(List.of(22.0))))
                     : entry));
     assertNotNull(other.difference());
     assertTrue(other.difference().contains("twice 22"), other.difference());

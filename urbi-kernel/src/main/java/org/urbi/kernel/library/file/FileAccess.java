@@ -151,13 +151,18 @@ public final class FileAccess {
 
   /** Finds out about files what may take long, while the job waits. */
   <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
-    return requireNonNull(openSlowly(frame, site, path, action), "what is found out is there");
+    try {
+      return requireNonNull(
+          outside.awaitBriefly(frame.job(), action), "what is found out is there");
+    } catch (IOException e) {
+      throw failed(frame, site, path, e);
+    }
   }
 
   /** Opens a file, which may take long, while the job waits; null in a replay. */
   <T> @Nullable T openSlowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
     try {
-      return outside.awaitBriefly(frame.job(), action);
+      return outside.openBriefly(frame.job(), action);
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }
