@@ -18,21 +18,16 @@ import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.ast.LocalNames;
 import org.urbi.lang.source.Span;
 
 /** Compiles expressions. */
 final class Expressions {
-  // Names below are only hints, to prepare what costs something: what a message does depends on the
-  // slot that it finds.
-
-  /** Functions that execute their argument in another job are likely to have these names. */
+  /**
+   * Functions that execute their argument in another job are likely to have these names. That is a
+   * hint to prepare for it what costs something; the slot that is found decides what is done.
+   */
   private static final Set<String> DETACHING = Set.of("detach", "disown");
-
-  /** Functions that change how the surrounding scope is executed are likely to have these names. */
-  private static final Set<String> MODES = Set.of("redefinitionMode", "nonInterruptible");
-
-  /** Functions that need a tag stopped at the end of the scope are likely to have these names. */
-  private static final Set<String> SCOPE_TAGS = Set.of("scope", "scopeTag");
 
   private final Compilation compilation;
 
@@ -93,21 +88,17 @@ final class Expressions {
 
   private Node plain(Ast.Message message, LexicalScope block) {
     Span span = message.span();
-    LexicalScope scope = block.nearestScope();
-    if (scope != null && MODES.contains(message.name())) {
-      scope.setRedefines();
-    }
-    if (scope != null && SCOPE_TAGS.contains(message.name())) {
-      scope.setTagged();
-    }
-    if (message.target() == null) {
-      LocalVariable variable = block.find(message.name());
-      if (variable != null) {
-        Node read = compilation.read(span, variable, block);
-        return message.arguments() == null
-            ? read
-            : new MessageSend.OfLocal(span, message.name(), read, all(message.arguments(), block));
+    LocalVariable variable = message.target() == null ? block.find(message.name()) : null;
+    if (variable != null) {
+      Node read = compilation.read(span, variable, block);
+      if (message.arguments() == null) {
+        return read;
       }
+      block.addCall();
+      return new MessageSend.OfLocal(span, message.name(), read, all(message.arguments(), block));
+    }
+    if (!isOperator(message.name())) {
+      block.addCall();
     }
     Node target =
         message.target() == null
@@ -126,6 +117,11 @@ final class Expressions {
     return sent;
   }
 
+  /** What has the name of an operator asks for nothing at the end of a scope. */
+  private static boolean isOperator(String name) {
+    return !Character.isJavaIdentifierStart(name.charAt(0)) && !name.equals("()");
+  }
+
   /** The target of a message. Errors about a subscripted name show the subscript, too. */
   private static Ast spread(Ast.Message message, Ast target) {
     return message.name().equals("[]")
@@ -138,17 +134,41 @@ final class Expressions {
 
   /**
    * Compiles arguments. Arguments that may be executed as jobs share their variables with the
-   * caller; an argument that is a scope is assumed to be evaluated later, or by another job.
+   * caller.
    */
   private Node[] all(Ast.Message message, List<Ast> arguments, LexicalScope block) {
     boolean detaching = DETACHING.contains(message.name());
+    boolean operator = isOperator(message.name());
     return arguments.stream()
-        .map(argument ->
-            argument instanceof Ast.Scope
-                ? new Sequences.Located(
-                    argument.span(), operand(argument, block.job(compilation.newRegion())))
-                : operand(argument, detaching ? block.job(compilation.newRegion()) : block))
+        .map(argument -> {
+          boolean job = detaching || !operator && isStatement(argument);
+          Node code = operand(argument, job ? block.job(compilation.newRegion()) : block);
+          return argument instanceof Ast.Scope
+              ? new Sequences.Located(argument.span(), code)
+              : code;
+        })
         .toArray(Node[]::new);
+  }
+
+  /**
+   * Whether an argument is a statement, which is assumed to be executed later, or by another job.
+   * What it declares belongs to the code around it, so a declaration is not.
+   */
+  private static boolean isStatement(Ast argument) {
+    return !(argument instanceof Ast.Message
+            || argument instanceof Ast.FloatLiteral
+            || argument instanceof Ast.StringLiteral
+            || argument instanceof Ast.ListLiteral
+            || argument instanceof Ast.TupleLiteral
+            || argument instanceof Ast.DictionaryLiteral
+            || argument instanceof Ast.Function
+            || argument instanceof Ast.This
+            || argument instanceof Ast.And
+            || argument instanceof Ast.Or
+            || argument instanceof Ast.SlotAccess
+            || argument instanceof Ast.Property
+            || argument instanceof Ast.CallMessage)
+        && LocalNames.in(argument).isEmpty();
   }
 
   Node slotAccess(Ast.SlotAccess access, LexicalScope block) {

@@ -34,7 +34,7 @@ final class Functions {
     }
     // The body gets a scope of its own: its variables may hide the parameters.
     Node code =
-        compilation.statements.scopeIn(
+        compilation.statements.body(
             function.body(), parameters.construct().scope(), HandledJumps.ALL);
     LocalVariable call = parameters.local(CALL);
     if (call != null) {

@@ -15,8 +15,7 @@ final class LexicalScope {
   private final boolean slots;
   private final boolean scope;
   private final boolean parameters;
-  private boolean redefines;
-  private boolean tagged;
+  private boolean calls;
   private final Map<String, LocalVariable> variables = new LinkedHashMap<>();
   private @Nullable Map<Object, LocalVariable> begun;
   private @Nullable List<Import> imports;
@@ -104,22 +103,17 @@ final class LexicalScope {
     return block;
   }
 
-  /** Code of this scope may ask for {@code redefinitionMode} or {@code nonInterruptible}. */
-  void setRedefines() {
-    redefines = true;
+  /** Code of this block may call a function, which may add something to the end of the scope. */
+  void addCall() {
+    LexicalScope scope = nearestScope();
+    if (scope != null) {
+      scope.calls = true;
+    }
   }
 
-  boolean redefines() {
-    return redefines;
-  }
-
-  /** Code of this scope may ask for a tag that is stopped when the scope is left. */
-  void setTagged() {
-    tagged = true;
-  }
-
-  boolean isTagged() {
-    return tagged;
+  /** Whether code of this scope may call functions. */
+  boolean calls() {
+    return calls;
   }
 
   void add(String name, LocalVariable variable) {

@@ -10,7 +10,6 @@ import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
-import org.urbi.kernel.node.RedefinitionScope;
 import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Try;
@@ -121,13 +120,18 @@ final class Statements {
 
   /** The statements of a scope, in the block given for them. */
   Node scopeIn(Ast.Scope scope, LexicalScope inner, HandledJumps seen) {
-    Node code =
-        sequence(
-            scope.body(),
-            inner,
-            seen,
-            body -> inner.isTagged() ? new ScopeEnd.Marked(scope.span(), body) : body);
-    return inner.redefines() ? new RedefinitionScope(scope.span(), code) : code;
+    Node code = body(scope, inner, seen);
+    return inner.calls() ? new ScopeEnd.Scope(code) : code;
+  }
+
+  /** The statements of a function, whose end is that of its scope. */
+  Node body(Ast.Scope scope, LexicalScope inner, HandledJumps seen) {
+    boolean waits = scope.body().separators().contains(Flavor.COMMA);
+    return sequence(
+        scope.body(),
+        inner,
+        seen,
+        body -> waits && inner.calls() ? new ScopeEnd.BeforeBackground(body) : body);
   }
 
   // ------------------------------------------------------------------ control flow

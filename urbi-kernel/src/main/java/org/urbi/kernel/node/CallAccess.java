@@ -77,10 +77,28 @@ abstract class CallAccess extends FrameAccess {
   protected static void end(@Nullable Frame frame) {
     if (frame != null && frame.scopeEnd != null) {
       try {
-        frame.scopeEnd.run();
+        ScopeEnd.leave(frame, null);
       } catch (UrbiException e) {
         throw locatedByCaller(e, frame);
       }
+    }
+  }
+
+  /**
+   * Makes sure that a scope has been entered.
+   *
+   * @param frame null if nobody has needed it until now
+   * @param around what this has answered before, or {@link ScopeEnd#NOT_ENTERED}
+   * @return for {@link #leaveScope}
+   */
+  protected static @Nullable ScopeEnd enterScope(@Nullable Frame frame, @Nullable ScopeEnd around) {
+    return around == ScopeEnd.NOT_ENTERED ? ScopeEnd.enter(frame) : around;
+  }
+
+  /** A scope is left, in whatever way. */
+  protected static void leaveScope(@Nullable Frame frame, @Nullable ScopeEnd around) {
+    if (around != ScopeEnd.NOT_ENTERED) {
+      ScopeEnd.leave(frame, around);
     }
   }
 

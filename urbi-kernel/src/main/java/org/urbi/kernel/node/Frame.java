@@ -66,7 +66,10 @@ public final class Frame implements Place {
   /** The jobs detached by the loop being executed; or null. */
   @Nullable LoopJobs loopJobs;
 
-  /** The actions at the end of the innermost marked scope being executed, or null. */
+  /**
+   * The end of the innermost scope of this function that has one; null if none has one yet, {@link
+   * ScopeEnd#NEVER} outside of all scopes.
+   */
   @Nullable ScopeEnd scopeEnd;
 
   /** Whether unevaluated arguments may read and assign the variables at any time. */
@@ -97,8 +100,18 @@ public final class Frame implements Place {
 
   /** The frame of code at the top level of a lobby, or called from Java. */
   public static Frame top(Interpreter interpreter, Job job, UrbiObject self, FrameLayout layout) {
-    return new Frame(
-        interpreter, job, 0, null, null, self, null, layout.newLocals(), layout.newCells(), null);
+    return outsideOfScopes(
+        new Frame(
+            interpreter,
+            job,
+            0,
+            null,
+            null,
+            self,
+            null,
+            layout.newLocals(),
+            layout.newCells(),
+            null));
   }
 
   /** The frame of a call made from this one; the locals begin with the arguments. */
@@ -115,17 +128,23 @@ public final class Frame implements Place {
 
   /** The frame of code evaluated on behalf of a library function called at that site. */
   public Frame nested(@Nullable CallSite from, UrbiObject target, FrameLayout layout) {
-    return new Frame(
-        interpreter,
-        job,
-        depth + 1,
-        this,
-        from,
-        target,
-        null,
-        layout.newLocals(),
-        layout.newCells(),
-        null);
+    return outsideOfScopes(
+        new Frame(
+            interpreter,
+            job,
+            depth + 1,
+            this,
+            from,
+            target,
+            null,
+            layout.newLocals(),
+            layout.newCells(),
+            null));
+  }
+
+  private static Frame outsideOfScopes(Frame frame) {
+    frame.scopeEnd = ScopeEnd.NEVER;
+    return frame;
   }
 
   /** The same activation with another {@code this}: the body of {@code do}. */
@@ -137,7 +156,8 @@ public final class Frame implements Place {
   }
 
   private static Frame inScopeOf(Frame original, Frame copy) {
-    copy.scopeEnd = original.scopeEnd;
+    // What the copy adds is done when the original leaves the scope.
+    copy.scopeEnd = original.innermostEnd();
     return copy;
   }
 
@@ -292,12 +312,19 @@ public final class Frame implements Place {
     return activation;
   }
 
-  /**
-   * The actions at the end of the innermost marked scope being executed, or else of the function;
-   * null at the top level.
-   */
+  /** What is done when the innermost scope is left, or else the function; null at the top level. */
   public @Nullable ScopeEnd scopeEnd() {
-    return scopeEnd == null && function != null ? ((Frame) activation).functionEnd() : scopeEnd;
+    ScopeEnd end = innermostEnd();
+    return end == ScopeEnd.NEVER ? null : end;
+  }
+
+  private ScopeEnd innermostEnd() {
+    ScopeEnd end = scopeEnd;
+    if (end == null) {
+      end = new ScopeEnd(null);
+      scopeEnd = end;
+    }
+    return end;
   }
 
   /** The variables of surrounding code that the function has captured. */
@@ -305,14 +332,6 @@ public final class Frame implements Place {
   @SuppressWarnings("NullAway")
   Cell[] captured() {
     return function.captured();
-  }
-
-  /** The actions at the end of the function, kept in the frame of its call. */
-  private ScopeEnd functionEnd() {
-    if (scopeEnd == null) {
-      scopeEnd = new ScopeEnd();
-    }
-    return scopeEnd;
   }
 
   /** The activation that a {@code return} in the running closure ends; null if there is none. */

@@ -313,7 +313,7 @@ public final class Function extends Code {
       return left(frame, e);
     } finally {
       if (frame.scopeEnd != null) {
-        frame.scopeEnd.run();
+        ScopeEnd.leave(frame, null);
       }
     }
   }

@@ -34,7 +34,7 @@ public final class SlotUpdate {
   public static void create(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
     PermissionCheck.checkChange(frame, "setSlot", target);
     if (target.shape().indexOf(name) >= 0) {
-      if (RedefinitionScope.allowed(frame.job) == 0) {
+      if (RedefinitionMode.allowed(frame.job) == 0) {
         throw frame.interpreter.errors().redefinition(name.name());
       }
       target.removeSlot(name);

@@ -337,6 +337,7 @@ final class EmitLoops {
     Loop loop = around.getFirst();
     Label target = breaks ? loop.broken() : loop.next();
     to.tries().leave(around.size());
+    to.scopes().leaveAll(around.size());
     // The Java machine verifies what follows, too.
     to.code.goto_(target);
   }
@@ -349,17 +350,16 @@ final class EmitLoops {
         end(loop, false);
       }
     }
-    if (to.isLoopUnit()) {
-      to.writeAll();
-      to.frame();
-      to.help("returns", CD_void, Names.FRAME);
-    }
-    if (to.isLoopUnit()) {
-      to.load(value);
-      to.code.areturn();
-    } else {
+    if (!to.isLoopUnit()) {
       to.answer(value);
+      return;
     }
+    to.scopes().leaveAll(0);
+    to.writeAll();
+    to.frame();
+    to.help("returns", CD_void, Names.FRAME);
+    to.load(value);
+    to.code.areturn();
   }
 
   /** Emits the jump that the statement which has just been executed has asked for, if any. */
@@ -371,6 +371,7 @@ final class EmitLoops {
     if (loop != null) {
       Label leaves = to.code.newLabel();
       to.tries().leave(around.size());
+      to.scopes().leaveAll(around.size());
       to.frame();
       to.help("leaving", CD_int, Names.FRAME);
       to.code.lookupswitch(

@@ -137,6 +137,7 @@ final class EmitMessages {
 
   /** Sends the message, with all that belongs to it. */
   private void ask(MessageSend message, int receiver) {
+    to.scopes().enter();
     to.code.aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
@@ -144,6 +145,7 @@ final class EmitMessages {
   }
 
   private void find(MessageSend message, int receiver, int found) {
+    to.scopes().enter();
     to.code.aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
@@ -152,6 +154,7 @@ final class EmitMessages {
   }
 
   private void answer(MessageSend message, int receiver, int found) {
+    to.scopes().enter();
     to.code.aload(found).aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
@@ -320,6 +323,7 @@ final class EmitMessages {
   }
 
   private void answer(MessageSend.OfLocal message, int found) {
+    to.scopes().enter();
     to.code.aload(found);
     to.frame();
     to.constant(message, Names.LOCAL_CALL);
@@ -352,6 +356,7 @@ final class EmitMessages {
       to.load(arguments.get(i));
       to.code.aastore();
     }
+    to.scopes().enter();
     to.code.aload(found).aload(receiver).aload(room).loadConstant(arguments.size());
     to.frame();
     to.constant(message, Names.SITE);

@@ -11,6 +11,7 @@ import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
+import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Try;
@@ -33,6 +34,9 @@ final class EmitStatements {
     }
     if (node instanceof Sequences.Located located) {
       return to.lastStatement(located.code());
+    }
+    if (node instanceof ScopeEnd.Scope scope) {
+      return to.scopes().value(scope);
     }
     if (node instanceof Conditionals.If choice) {
       return choice(choice);
@@ -74,6 +78,8 @@ final class EmitStatements {
       to.statement(chain.statements()[chain.statements().length - 1]);
     } else if (node instanceof Sequences.Located located) {
       to.statement(located.code());
+    } else if (node instanceof ScopeEnd.Scope scope) {
+      to.scopes().effect(scope);
     } else if (node instanceof Conditionals.If choice) {
       effect(choice);
     } else if (node instanceof Slots.Assign assignment) {
@@ -94,6 +100,8 @@ final class EmitStatements {
       to.last(chain.statements()[chain.statements().length - 1]);
     } else if (node instanceof Sequences.Located located) {
       to.last(located.code());
+    } else if (node instanceof ScopeEnd.Scope scope) {
+      to.scopes().last(scope);
     } else if (node instanceof Conditionals.If choice) {
       Label otherwise = to.code.newLabel();
       to.located(choice, () -> to.condition(choice.condition(), otherwise));

@@ -47,6 +47,7 @@ final class Emitter extends CodeWriter {
   private final EmitContainers containers;
   private final EmitMessages messages;
   private final EmitLoops loops;
+  private final EmitScopes scopes;
   private final EmitTry tries;
 
   /** Where a function goes when it is over; null for a loop. */
@@ -63,6 +64,7 @@ final class Emitter extends CodeWriter {
     this.containers = new EmitContainers(this, slots, unit);
     this.messages = new EmitMessages(this, slots, containers, unit);
     this.loops = new EmitLoops(this);
+    this.scopes = new EmitScopes(this);
     this.tries = new EmitTry(this);
   }
 
@@ -128,6 +130,10 @@ final class Emitter extends CodeWriter {
 
   EmitLoops loops() {
     return loops;
+  }
+
+  EmitScopes scopes() {
+    return scopes;
   }
 
   EmitTry tries() {
@@ -279,6 +285,14 @@ final class Emitter extends CodeWriter {
     }
   }
 
+  @Override
+  void execute(Node node) {
+    if (!Survey.isLeaf(node)) {
+      scopes.enter();
+    }
+    super.execute(node);
+  }
+
   /** Emits code that is not compiled: the node is executed. */
   Value unknown(Node node, boolean jumps) {
     if (Survey.isLeaf(node)) {
@@ -298,6 +312,7 @@ final class Emitter extends CodeWriter {
     beside(
         node,
         () -> {
+          scopes.enter();
           constant(node, Names.NODE);
           frame();
           place();

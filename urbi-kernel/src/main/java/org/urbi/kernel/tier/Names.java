@@ -20,6 +20,7 @@ import org.urbi.kernel.node.Misses;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Pattern;
+import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Try;
 import org.urbi.kernel.node.Variables;
@@ -56,6 +57,7 @@ final class Names {
   static final ClassDesc PLACE = of(Variables.Place.class);
   static final ClassDesc SLOT_DECLARATION = of(Slots.Declare.class);
   static final ClassDesc LOCAL_CALL = of(MessageSend.OfLocal.class);
+  static final ClassDesc SCOPE_END = of(ScopeEnd.class);
   static final ClassDesc SITE = of(CallSite.class);
   static final ClassDesc SHAPE = of(Shape.class);
   static final ClassDesc SLOT_ASSIGNMENT = of(Slots.Assign.class);

@@ -14,6 +14,7 @@ import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Pattern;
+import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Try;
@@ -208,6 +209,8 @@ final class Survey {
       visitAll(chain.statements());
     } else if (node instanceof Sequences.Located located) {
       visit(located.code());
+    } else if (node instanceof ScopeEnd.Scope scope) {
+      visit(scope.body());
     } else if (node instanceof Conditionals.If choice) {
       visit(choice.condition());
       visit(choice.thenClause());

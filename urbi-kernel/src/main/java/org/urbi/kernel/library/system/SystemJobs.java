@@ -20,7 +20,7 @@ import org.urbi.kernel.node.CodeCompiler;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Profiler;
-import org.urbi.kernel.node.RedefinitionScope;
+import org.urbi.kernel.node.RedefinitionMode;
 import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
@@ -124,18 +124,17 @@ final class SystemJobs {
   }
 
   @Builtin(doc = "Lets slots be defined again until the end of the scope.")
-  static void redefinitionMode(Frame frame, CallSite site, UrbiObject self) {
+  static void redefinitionMode(Frame frame, UrbiObject self) {
     Job job = frame.job();
-    int before = RedefinitionScope.allowed(job);
-    endWithFunction(frame, site, "redefinitionMode", () -> RedefinitionScope.end(job, before));
-    RedefinitionScope.allow(job);
+    int before = RedefinitionMode.allowed(job);
+    endWithScope(frame, () -> RedefinitionMode.end(job, before));
+    RedefinitionMode.allow(job);
   }
 
-  /** A scope ends what is asked for by its name; what has another name ends with the function. */
-  private static void endWithFunction(Frame frame, CallSite site, String name, Runnable undo) {
-    ScopeEnd end = name.equals(site.calledName()) ? null : frame.scopeEnd();
+  private static void endWithScope(Frame frame, Runnable undo) {
+    ScopeEnd end = frame.scopeEnd();
     if (end != null) {
-      end.add(undo);
+      end.addLast(undo);
     }
   }
 
@@ -151,10 +150,10 @@ final class SystemJobs {
   @Builtin(
       doc = "Lets no other job run until the end of the scope, which may not wait either.",
       needs = Permission.OWNER)
-  static void nonInterruptible(Frame frame, CallSite site, UrbiObject self) {
+  static void nonInterruptible(Frame frame, UrbiObject self) {
     Job job = frame.job();
     int before = job.nonInterruptible();
-    endWithFunction(frame, site, "nonInterruptible", () -> job.endNonInterruptible(before));
+    endWithScope(frame, () -> job.endNonInterruptible(before));
     job.refuseInterruption();
   }
 

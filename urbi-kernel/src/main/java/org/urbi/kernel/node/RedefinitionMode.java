@@ -2,23 +2,13 @@ package org.urbi.kernel.node;
 
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobLocal;
-import org.urbi.kernel.object.UrbiObject;
-import org.urbi.lang.source.Span;
 
-/**
- * A scope whose code may ask for {@code redefinitionMode} or {@code nonInterruptible}, which end
- * with the scope (manual, "System").
- */
-public final class RedefinitionScope extends Node {
+/** Where a job may define slots that exist already (manual, "System", {@code redefinitionMode}). */
+public final class RedefinitionMode {
   /** The number of surrounding scopes in which a job may redefine slots. */
   private static final JobLocal<Integer> ALLOWED = new JobLocal<>();
 
-  private final Node body;
-
-  public RedefinitionScope(Span span, Node body) {
-    super(span);
-    this.body = body;
-  }
+  private RedefinitionMode() {}
 
   /** The number of surrounding scopes in which that job may redefine slots. */
   public static int allowed(Job job) {
@@ -35,18 +25,6 @@ public final class RedefinitionScope extends Node {
   public static void end(Job job, int before) {
     if (allowed(job) > before) {
       ALLOWED.set(job, before);
-    }
-  }
-
-  @Override
-  public UrbiObject execute(Frame frame) {
-    int before = allowed(frame.job);
-    int held = frame.job.nonInterruptible();
-    try {
-      return body.execute(frame);
-    } finally {
-      end(frame.job, before);
-      frame.job.endNonInterruptible(held);
     }
   }
 }
