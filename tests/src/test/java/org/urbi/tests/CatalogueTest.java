@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.HelpText;
 import org.urbi.kernel.error.Hint;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
@@ -27,7 +28,8 @@ import org.urbi.lang.problem.Template;
 
 /**
  * All messages of the language are in the catalogues, {@link Problem} and {@link SyntaxProblem},
- * and nowhere else. The test examines the compiled classes.
+ * and nowhere else; what {@code help} says and the hints are in catalogues of their own. The test
+ * examines the compiled classes.
  */
 class CatalogueTest {
   /** A new message as it should not be: {@link MessageUses} must find each. */
@@ -93,6 +95,7 @@ class CatalogueTest {
   @Test
   void noTextIsOutsideTheCatalogue() {
     assertNone(USES.literals().stream());
+    assertNone(USES.excusedInVain().stream());
   }
 
   @Test
@@ -101,6 +104,7 @@ class CatalogueTest {
     unused.addAll(EnumSet.allOf(Problem.class));
     unused.addAll(EnumSet.allOf(SyntaxProblem.class));
     unused.addAll(EnumSet.allOf(Hint.class));
+    unused.addAll(EnumSet.allOf(HelpText.class));
     unused.addAll(EnumSet.allOf(SyntaxHint.class));
     unused.removeAll(USES.used());
     assertNone(unused.stream().map(Enum::name));
@@ -124,6 +128,9 @@ class CatalogueTest {
     assertDistinct(
         Stream.of(SyntaxProblem.values())
             .map(problem -> problem.kind() + " " + problem.template()));
+    assertDistinct(Stream.of(Hint.values()).map(hint -> hint.template().text()));
+    assertDistinct(Stream.of(SyntaxHint.values()).map(hint -> hint.template().text()));
+    assertDistinct(Stream.of(HelpText.values()).map(text -> text.template().text()));
   }
 
   private static void assertDistinct(Stream<String> texts) {

@@ -1,5 +1,7 @@
 package org.urbi.tests;
 
+import static java.util.Map.entry;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.classfile.ClassFile;
@@ -28,8 +30,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.urbi.kernel.error.HelpText;
 import org.urbi.kernel.error.Hint;
 import org.urbi.kernel.error.Problem;
 import org.urbi.lang.problem.SyntaxHint;
@@ -46,6 +50,8 @@ final class MessageUses {
           SyntaxProblem.class,
           internal(Hint.class),
           Hint.class,
+          internal(HelpText.class),
+          HelpText.class,
           internal(SyntaxHint.class),
           SyntaxHint.class);
 
@@ -60,13 +66,27 @@ final class MessageUses {
           "java/lang/IllegalStateException",
           "urbi/UCastException",
           "urbi/spi/UModuleException",
+          "urbi/wire/WireException",
           "org/urbi/kernel/uobject/ConversionFailure");
 
-  /** Rooms where these are for Java programs, or for who reads a recording. */
-  private static final Pattern FOR_JAVA =
-      Pattern.compile(
-          "org/urbi/kernel/(job|journal|time|script|embed)/.*|org/urbi/kernel/[A-Z].*"
-              + "|org/urbi/kernel/error/Errors|org/urbi/lang/.*");
+  private static final String EMBEDS = "told to the Java program that embeds the kernel";
+  private static final String DEFECT = "only a defect of ours is told so, in the log";
+
+  /** Classes whose exceptions of Java no user of urbiscript sees, and why. */
+  private static final Map<String, String> EXCUSED =
+      Map.ofEntries(
+          entry("org/urbi/kernel/embed/Embedding", EMBEDS),
+          entry("org/urbi/kernel/embed/ListenerQueue", EMBEDS),
+          entry("org/urbi/kernel/embed/ToJavaConverter", EMBEDS),
+          entry("org/urbi/kernel/embed/UrbiValue", EMBEDS),
+          entry("org/urbi/kernel/script/InterfaceProxy", EMBEDS),
+          entry("org/urbi/kernel/script/SlotBindings", EMBEDS),
+          entry("org/urbi/kernel/script/UrbiScriptEngine", EMBEDS),
+          entry("org/urbi/kernel/job/TickLoopThread$Factory", "told to who starts the kernel"),
+          entry("org/urbi/kernel/job/TickLoopThread", DEFECT),
+          entry("org/urbi/kernel/error/Errors", DEFECT),
+          entry("org/urbi/lang/input/StatementReader", DEFECT),
+          entry("org/urbi/lang/problem/Template", DEFECT));
 
   /** The name of a type in urbiscript. */
   private static final Pattern TYPE = Pattern.compile("[A-Z]\\w*");
@@ -84,6 +104,7 @@ final class MessageUses {
   private static final String MARK_OWNER = "org/urbi/kernel/lobby/Diagnostics";
 
   private final List<String> literals = new ArrayList<>();
+  private final Set<String> excused = new HashSet<>();
   private final List<String> misfilled = new ArrayList<>();
   private final List<String> thrownTexts = new ArrayList<>();
   private final Set<Enum<?>> used = new HashSet<>();
@@ -92,6 +113,13 @@ final class MessageUses {
   /** Texts that stand in the code: class and text. */
   List<String> literals() {
     return literals;
+  }
+
+  /** Classes that are excused for nothing. */
+  Set<String> excusedInVain() {
+    var none = new TreeSet<>(EXCUSED.keySet());
+    none.removeAll(excused);
+    return none;
   }
 
   /** Messages that are given more or fewer values than they have places. */
@@ -176,8 +204,7 @@ final class MessageUses {
             literals.add(owner + ": an exception of urbiscript that is no message");
         case InvokeInstruction call
             when call.name().equalsString("<init>")
-                && TOLD.contains(call.owner().asInternalName())
-                && !FOR_JAVA.matcher(owner).matches() ->
+                && TOLD.contains(call.owner().asInternalName()) ->
             message(owner, code, i);
         default -> {
           String text = text(code.get(i));
@@ -239,7 +266,12 @@ final class MessageUses {
             .toList();
     for (CodeElement element : before) {
       String text = text(element);
-      if (text != null && !text.isBlank() && !TYPE.matcher(text).matches()) {
+      if (text == null || text.isBlank() || TYPE.matcher(text).matches()) {
+        continue;
+      }
+      if (EXCUSED.containsKey(owner)) {
+        excused.add(owner);
+      } else {
         literals.add(owner + ": " + text + ", in an exception of Java");
       }
     }
@@ -288,6 +320,7 @@ final class MessageUses {
     return switch (message) {
       case Problem problem -> problem.template();
       case Hint hint -> hint.template();
+      case HelpText text -> text.template();
       case SyntaxHint hint -> hint.template();
       default -> ((SyntaxProblem) message).template();
     };

@@ -14,6 +14,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.journal.Journal;
@@ -332,7 +333,7 @@ public final class KernelBuilder {
           control.hurry(full);
           told.accept(full);
         },
-        end == null ? () -> to.write("urbi: memory exhausted") : end);
+        end == null ? () -> to.write(Problem.MEMORY_GONE.text()) : end);
   }
 
   /** The time of the machine, of the recording, or none but a simulated one. */

@@ -122,7 +122,7 @@ final class KernelMemory implements MemoryUser {
     if (before != null) {
       // There may be no memory even for this: then it is tried again. It is told first, because
       // who has been closed is not found again.
-      tell("letting " + before.description() + " go");
+      tell(Problem.LETTING_GO, before);
       try {
         before.close();
       } catch (RuntimeException e) {
@@ -143,7 +143,7 @@ final class KernelMemory implements MemoryUser {
   }
 
   private void evict(Evictable next) {
-    tell("ending what is done for " + next.description());
+    tell(Problem.EVICTING, next);
     try {
       next.evict(Problem.MEMORY_EXHAUSTED.text());
     } catch (RuntimeException e) {
@@ -201,7 +201,7 @@ final class KernelMemory implements MemoryUser {
     onExhausted.run();
   }
 
-  private void tell(String done) {
-    log.write("urbi: memory is nearly exhausted, " + done);
+  private void tell(Problem done, Evictable whom) {
+    log.write(Problem.MEMORY_NEARLY_EXHAUSTED.text(done.text(whom.description())));
   }
 }

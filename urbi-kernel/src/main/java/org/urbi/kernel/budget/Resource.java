@@ -6,27 +6,27 @@ import org.urbi.kernel.error.Problem;
 /** A limited resource, of which a lobby could take too much. */
 public enum Resource {
   /** Jobs that have not ended. */
-  JOBS("jobs"),
+  JOBS(Problem.OF_JOBS),
   /** Timers other than those of sleeping jobs: timeouts, conditions that must hold for a while. */
-  TIMERS("timers"),
+  TIMERS(Problem.OF_TIMERS),
   /** Programs that run. */
-  PROCESSES("processes"),
+  PROCESSES(Problem.OF_PROCESSES),
   /** Bytes of output that the client has not read yet. */
-  OUTPUT("bytes of unread output"),
+  OUTPUT(Problem.OF_OUTPUT),
   /** Bytes of input that cannot be executed, since the end of its statement is missing. */
-  INPUT("bytes of unfinished input"),
+  INPUT(Problem.OF_INPUT),
   /** The percentage of the kernel's time. */
-  TIME("% of the kernel's time"),
+  TIME(Problem.OF_TIME),
   /** Milliseconds for which a job may hold the kernel without letting others run. */
-  HOLD("ms without letting others run"),
+  HOLD(Problem.OF_HOLD),
   /** Bytes of memory that a job may allocate without letting others run. */
-  MEMORY("bytes allocated without letting others run"),
+  MEMORY(Problem.OF_MEMORY),
   /** Nested calls of functions. */
-  DEPTH("nested calls");
+  DEPTH(Problem.OF_DEPTH);
 
-  private final String unit;
+  private final Problem unit;
 
-  Resource(String unit) {
+  Resource(Problem unit) {
     this.unit = unit;
   }
 
@@ -37,7 +37,7 @@ public enum Resource {
 
   /** The unit as error messages show it. */
   public String unit() {
-    return unit;
+    return unit.text();
   }
 
   /**

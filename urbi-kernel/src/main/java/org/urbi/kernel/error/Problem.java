@@ -197,6 +197,7 @@ public enum Problem {
   DOES_NOT_EXIST(PRIMITIVE, "does not exist: {path}"),
   CANNOT_WATCH(PRIMITIVE, "cannot watch directory: {reason}"),
   STREAM_CLOSED(PRIMITIVE, "stream is closed"),
+  LOADING(LINE, "loading file: {path}"),
 
   // ------------------------------------------------------------------ the machine and the network
 
@@ -205,6 +206,10 @@ public enum Problem {
   PROCESS_WITHOUT_PROGRAM(PRIMITIVE, "Process has no program"),
   PROCESS_RUN(PRIMITIVE, "Process was already run", "each run is of a new Process"),
   PROCESS_NOT_RUN(PRIMITIVE, "Process was not run"),
+  STATUS_NOT_STARTED(PART, "not started"),
+  STATUS_RUNNING(PART, "running"),
+  STATUS_EXITED(PART, "exited with status {status}"),
+  STATUS_KILLED(PART, "killed by signal {signal}"),
   VARIABLE_NAME(PRIMITIVE, "invalid name of a variable: {name}"),
   VARIABLE_VALUE(PRIMITIVE, "invalid value of a variable"),
   NOT_A_SOCKET(PRIMITIVE, "not a socket"),
@@ -226,6 +231,15 @@ public enum Problem {
 
   NO_SUCH_BUDGET(PRIMITIVE, "no such part of a budget: {word}"),
   NO_BUDGET(PART, "no part of a budget: {text}"),
+  OF_JOBS(PART, "jobs"),
+  OF_TIMERS(PART, "timers"),
+  OF_PROCESSES(PART, "processes"),
+  OF_OUTPUT(PART, "bytes of unread output"),
+  OF_INPUT(PART, "bytes of unfinished input"),
+  OF_TIME(PART, "% of the kernel's time"),
+  OF_HOLD(PART, "ms without letting others run"),
+  OF_MEMORY(PART, "bytes allocated without letting others run"),
+  OF_DEPTH(PART, "nested calls"),
   NEGATIVE_BUDGET(PRIMITIVE, "expected a limit of 0 or more"),
   NEEDS_ROLE(PRIMITIVE, "this needs the role {needed}, and this lobby has the role {own}"),
   CHANGES_FOREIGN(
@@ -257,6 +271,8 @@ public enum Problem {
   MODULE_UNLOADED(PART, "the module has been unloaded"),
   MODULE_OPTION(PRIMITIVE, "no option of modules: {option} (there is: isolate)"),
   NOT_LOADED(PRIMITIVE, "not loaded: {module}"),
+  NOT_LOADED_HERE(PART, "{module} is not loaded"),
+  NOT_LOADED_ANY_MORE(PART, "{module} is not loaded any more"),
   UNREADABLE_MODULE(PRIMITIVE, "cannot read {file}: {reason}"),
   CONSTRUCTION_FAILED(PRIMITIVE, "{class} construction failed: init returned {status}."),
   CAUGHT_IN_COMPONENT(PRIMITIVE, "exception caught while {doing}: {reason}"),
@@ -300,6 +316,16 @@ public enum Problem {
   NOTHING_EXTERNAL(PART, "no declaration: {kind}"),
   NO_NUMBER_OF_ARGUMENTS(PART, "no number of arguments: {text}"),
   NAME_MISSING(PART, "the name is missing"),
+  REJECTED_ARGUMENT(PART, "invalid argument {index}, expected {type}"),
+  NO_KIND_OF_FRAME(PART, "no kind of frame: {number}"),
+  NO_KIND_OF_PROPERTY(PART, "no property: {name}"),
+  NO_KIND_OF_MESSAGE(PART, "no kind of message: {number}"),
+  NO_KIND_OF_VALUE(PART, "no kind of value: {number}"),
+  SIZES_OF_INTEGERS(PART, "integers of {number} and {number} bytes"),
+  LONG_MESSAGE(PART, "a message of more than {number} bytes"),
+  LONG_LIST(PART, "a list of {number} elements"),
+  VALUES_TOO_DEEP(PART, "values nested too deeply"),
+  UNKNOWN_KEYWORDS(PART, "a binary with unknown keywords"),
   PROTOCOL_BROKEN(LINE, "the remote process does not keep to the protocol: {reason}"),
 
   // ------------------------------------------------------------------ lines of their own
@@ -317,6 +343,10 @@ public enum Problem {
       "{job} has held the kernel for more than {limit} s without letting others run, ending it"),
   FILLS_MEMORY(
       LINE, "{job} has allocated more than {limit} bytes without letting others run, ending it"),
+  MEMORY_NEARLY_EXHAUSTED(LINE, "urbi: memory is nearly exhausted, {doing}"),
+  MEMORY_GONE(LINE, "urbi: memory exhausted"),
+  EVICTING(PART, "ending what is done for {whom}"),
+  LETTING_GO(PART, "letting {whom} go"),
   EVICTED(LINE, "{reason}: the jobs of this lobby are ended"),
   LEFT_BEHIND(LINE, "{reason}: ending what {lobby} has left behind, {count} jobs"),
   COMMON_BUDGET(PART, "clients that have left may have {limit} {what} together"),

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Iterator;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.MessageInput;
 import urbi.wire.WireException;
 
@@ -107,7 +108,7 @@ final class BinaryMode implements MessageInput {
     int ints = in.octet();
     in.bytes(SIZES - 2);
     if (shorts != SHORT || ints != INT) {
-      throw new WireException("integers of " + shorts + " and " + ints + " bytes");
+      throw new WireException(Problem.SIZES_OF_INTEGERS.text(shorts, ints));
     }
     begun = true;
     return true;

@@ -2,6 +2,7 @@ package org.urbi.kernel.external;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.urbi.kernel.error.Problem;
 import urbi.wire.WireException;
 
 /** A buffer of received bytes, which arrive in pieces of any size. */
@@ -37,7 +38,7 @@ final class MessageBytes {
   /** Whether that number of bytes has arrived. */
   boolean has(long count) {
     if (position() - begun + count > LONGEST) {
-      throw new WireException("a message of more than " + LONGEST + " bytes");
+      throw new WireException(Problem.LONG_MESSAGE.text(LONGEST));
     }
     return to - from >= count;
   }

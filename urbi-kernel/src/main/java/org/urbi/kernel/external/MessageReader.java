@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.Utf8Text;
 import urbi.UBinary;
 import urbi.UDictionary;
@@ -96,7 +97,7 @@ final class MessageReader {
       in.begin();
       code = in.octet();
       if (!isCode(code)) {
-        throw new WireException("no kind of message: " + code);
+        throw new WireException(Problem.NO_KIND_OF_MESSAGE.text(code));
       }
     }
     if (name == null) {
@@ -193,7 +194,7 @@ final class MessageReader {
   private long count(long count) {
     if (count > MOST_ELEMENTS || open.size() >= DEEPEST) {
       throw new WireException(
-          open.size() >= DEEPEST ? "values nested too deeply" : "a list of " + count + " elements");
+          open.size() >= DEEPEST ? Problem.VALUES_TOO_DEEP.text() : Problem.LONG_LIST.text(count));
     }
     return count;
   }
@@ -238,7 +239,7 @@ final class MessageReader {
       case BINARY -> {
         return readBinary();
       }
-      default -> throw new WireException("no kind of value: " + type);
+      default -> throw new WireException(Problem.NO_KIND_OF_VALUE.text(type));
     }
     return true;
   }
@@ -266,7 +267,7 @@ final class MessageReader {
     try {
       put(new UValue(new UBinary(keywords, data)));
     } catch (IllegalArgumentException e) {
-      throw new WireException("a binary with keywords that are none");
+      throw new WireException(Problem.UNKNOWN_KEYWORDS.text());
     }
     return true;
   }

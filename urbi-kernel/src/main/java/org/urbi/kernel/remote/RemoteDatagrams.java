@@ -1,5 +1,6 @@
 package org.urbi.kernel.remote;
 
+import org.urbi.kernel.error.Problem;
 import urbi.UDataType;
 import urbi.UValue;
 import urbi.rtp.RtpOptions;
@@ -31,12 +32,12 @@ final class RemoteDatagrams {
     if (peer.context().rtp().isOn()) {
       peer.wire().openDatagrams(terms);
     } else {
-      refuse("not loaded");
+      refuse(Problem.NOT_LOADED_HERE);
     }
   }
 
-  private void refuse(String why) {
-    peer.write(o -> o.begin(Frame.RTP_REFUSED).text(RtpOptions.MODULE + " is " + why).end());
+  private void refuse(Problem why) {
+    peer.write(o -> o.begin(Frame.RTP_REFUSED).text(why.text(RtpOptions.MODULE)).end());
   }
 
   /** The module that enables datagrams was loaded or unloaded. */
@@ -48,7 +49,7 @@ final class RemoteDatagrams {
       peer.write(o -> o.begin(Frame.RTP_LOADED).end());
     } else {
       peer.wire().closeDatagrams();
-      refuse("not loaded any more");
+      refuse(Problem.NOT_LOADED_ANY_MORE);
     }
   }
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.remote;
 
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.FailureLog;
 import urbi.UProperty;
 import urbi.UValue;
@@ -119,7 +120,7 @@ final class RemoteRequests {
         String text = in.text();
         yield () -> peer.context().report(text);
       }
-      default -> throw new WireException("no kind of frame: " + type);
+      default -> throw new WireException(Problem.NO_KIND_OF_FRAME.text(type));
     };
   }
 
@@ -129,7 +130,7 @@ final class RemoteRequests {
         return property;
       }
     }
-    throw new WireException("no property: " + text);
+    throw new WireException(Problem.NO_KIND_OF_PROPERTY.text(text));
   }
 
   /** Wraps an action so that its result, or its failure, is sent to the process. */

@@ -1,5 +1,7 @@
 package org.urbi.kernel.uobject;
 
+import org.urbi.kernel.error.Problem;
+
 /** A function of a remote process has rejected one of its arguments. It has no Java stack trace. */
 public final class ArgumentFailure extends RuntimeException {
   private static final long serialVersionUID = 1;
@@ -12,7 +14,7 @@ public final class ArgumentFailure extends RuntimeException {
    * @param expected the type in urbiscript
    */
   public ArgumentFailure(int place, String expected) {
-    super("invalid argument " + place + ", expected " + expected, null, false, false);
+    super(Problem.REJECTED_ARGUMENT.text(place, expected), null, false, false);
     this.place = place;
     this.expected = expected;
   }

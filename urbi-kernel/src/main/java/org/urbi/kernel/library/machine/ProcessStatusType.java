@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.exception.ExceptionType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -45,15 +46,15 @@ final class ProcessStatusType {
   @Builtin(doc = "The status as text: running, exited with status 0…")
   static String asString(Frame frame, UrbiObject self) {
     if (is(frame, self, "running")) {
-      return "running";
+      return Problem.STATUS_RUNNING.text();
     }
     if (is(frame, self, "exited")) {
-      return "exited with status " + ExceptionType.text(frame, self, "exitStatus");
+      return Problem.STATUS_EXITED.text(ExceptionType.text(frame, self, "exitStatus"));
     }
     if (is(frame, self, "signaled")) {
-      return "killed by signal " + ExceptionType.text(frame, self, "signal");
+      return Problem.STATUS_KILLED.text(ExceptionType.text(frame, self, "signal"));
     }
-    return "not started";
+    return Problem.STATUS_NOT_STARTED.text();
   }
 
   private static boolean is(Frame frame, UrbiObject self, String slot) {

@@ -83,7 +83,11 @@ final class SystemFiles {
     if (channel != null) {
       frame
           .interpreter()
-          .send(frame, channel, "<<", frame.interpreter().values().string("loading file: " + path));
+          .send(
+              frame,
+              channel,
+              "<<",
+              frame.interpreter().values().string(Problem.LOADING.text(path)));
     }
     return evaluate(frame, site, self, path, null);
   }
