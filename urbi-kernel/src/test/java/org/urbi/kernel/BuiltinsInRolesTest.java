@@ -103,7 +103,7 @@ class BuiltinsInRolesTest {
     UrbiObject type = interpreter.world().prototype(table.type());
     for (int i = 0; i < table.size(); i++) {
       Symbol name = interpreter.world().symbol(table.name(i));
-      Code code = (Code) (table.isSetter(i) ? type.slotData(name).setter : type.localSlot(name));
+      Code code = (Code) (table.isSetter(i) ? type.slotData(name).setter() : type.localSlot(name));
       String called = nameOf(table, i);
       if (!ENDINGS.contains(called)) {
         kernel
@@ -147,7 +147,7 @@ class BuiltinsInRolesTest {
         }
         words.append(' ').append(name.name()).append('@');
         words.append(System.identityHashCode(type.localSlot(name)));
-        words.append(type.slotData(name) == null ? "" : type.slotData(name).properties.keySet());
+        words.append(type.slotData(name) == null ? "" : type.slotData(name).properties().keySet());
       }
       for (UrbiObject proto : type.protos()) {
         words.append(" :").append(System.identityHashCode(proto));

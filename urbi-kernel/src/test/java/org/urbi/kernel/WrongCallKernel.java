@@ -201,7 +201,7 @@ final class WrongCallKernel implements AutoCloseable {
       UrbiObject type = interpreter.world().prototype(table.type());
       for (int i = 0; i < table.size(); i++) {
         Symbol name = interpreter.world().symbol(table.name(i));
-        UrbiObject found = table.isSetter(i) ? type.slotData(name).setter : type.localSlot(name);
+        UrbiObject found = table.isSetter(i) ? type.slotData(name).setter() : type.localSlot(name);
         if (found instanceof Code code) {
           primitives.put(nameOf(table, i), code);
         } else {

@@ -99,7 +99,7 @@ public abstract class BuiltinTable {
 
   /**
    * Whether it is a setter: called when the slot of that name is assigned ({@code
-   * SlotData.setter}), where another builtin is the value of the slot.
+   * SlotData.setSetter}), where another builtin is the value of the slot.
    */
   public final boolean isSetter(int index) {
     return entries[index].setter;

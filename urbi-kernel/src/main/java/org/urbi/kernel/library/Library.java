@@ -187,7 +187,7 @@ public final class Library {
       if (table.isSetter(i)) {
         Symbol name = world.symbol(table.name(i));
         SlotData data = type.ensureSlotData(name);
-        data.setter = primitive(table, i);
+        data.setSetter(primitive(table, i));
         type.slotDataChanged(name);
       }
     }

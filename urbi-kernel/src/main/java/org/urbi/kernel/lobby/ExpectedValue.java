@@ -100,7 +100,7 @@ final class ExpectedValue {
   private static boolean isComputed(UrbiObject object, Symbol slot) {
     UrbiObject owner = object.locate(slot);
     SlotData data = owner == null ? null : owner.slotData(slot);
-    return data != null && data.getter != null;
+    return data != null && data.getter() != null;
   }
 
   private static @Nullable UrbiObject element(UrbiObject owner, @Nullable List<Ast> index) {

@@ -13,6 +13,7 @@ import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.object.BlendMode;
+import org.urbi.kernel.object.SlotBlending;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -21,7 +22,7 @@ import org.urbi.kernel.object.UrbiObject;
  * different jobs in one cycle are simultaneous, as are motions ({@code x = 1 time: 2s}) from start
  * to end.
  */
-public final class Blending {
+public final class Blending implements SlotBlending {
   private final BlendMode mode;
   private final Map<Job, TagState> motions = new LinkedHashMap<>();
   private final Map<Job, Part> parts = new LinkedHashMap<>();

@@ -51,8 +51,8 @@ public final class Frame implements Place {
   /** What compiled code answers with, if that is a number of which there is no object. */
   double answer;
 
-  /** Identifies the activation: the same object in all of its frames. */
-  final Object activation;
+  /** The first frame of the activation, which identifies it in all of its frames. */
+  final Frame activation;
 
   /** Set by {@code break}, {@code continue} and {@code return}; null during normal execution. */
   @Nullable Completion completion;
@@ -85,7 +85,7 @@ public final class Frame implements Place {
       @Nullable Function function,
       UrbiObject[] locals,
       Cell[] cells,
-      @Nullable Object activation) {
+      @Nullable Frame activation) {
     this.interpreter = interpreter;
     this.job = job;
     this.depth = depth;
@@ -264,12 +264,12 @@ public final class Frame implements Place {
 
   /** From now on others may evaluate code of this activation. */
   void exposeLocals() {
-    ((Frame) activation).exposed = true;
+    activation.exposed = true;
   }
 
   /** Whether others may evaluate code of this activation, which reads and assigns its variables. */
   boolean isExposed() {
-    return ((Frame) activation).exposed;
+    return activation.exposed;
   }
 
   // ------------------------------------------------------------------ for the library
@@ -307,11 +307,6 @@ public final class Frame implements Place {
     return function;
   }
 
-  /** The same for all the frames of one activation, and for no others. */
-  public Object activation() {
-    return activation;
-  }
-
   /** What is done when the innermost scope is left, or else the function; null at the top level. */
   public @Nullable ScopeEnd scopeEnd() {
     ScopeEnd end = innermostEnd();
@@ -335,12 +330,12 @@ public final class Frame implements Place {
   }
 
   /** The activation that a {@code return} in the running closure ends; null if there is none. */
-  @Nullable Object home() {
+  @Nullable Frame home() {
     return function == null ? null : function.home();
   }
 
   /** Whether an activation is among those that wait for this one to end. */
-  boolean isCalledWithin(Object other) {
+  boolean isCalledWithin(Frame other) {
     for (Frame frame = caller; frame != null; frame = frame.caller) {
       if (frame.activation == other) {
         return true;

@@ -173,7 +173,7 @@ public final class Function extends Code {
   private final @Nullable UrbiObject boundLobby;
 
   /** The activation that a {@code return} in a closure ends; null when there is none. */
-  private final @Nullable Object home;
+  private final @Nullable Frame home;
 
   public Function(
       Shape shape,
@@ -181,7 +181,7 @@ public final class Function extends Code {
       Cell[] captured,
       @Nullable UrbiObject boundSelf,
       @Nullable UrbiObject boundLobby,
-      @Nullable Object home) {
+      @Nullable Frame home) {
     super(shape);
     this.home = home;
     this.body = body;
@@ -235,7 +235,7 @@ public final class Function extends Code {
     return body.source.closure();
   }
 
-  @Nullable Object home() {
+  @Nullable Frame home() {
     return home;
   }
 

@@ -43,7 +43,7 @@ public final class Jumps {
     public UrbiObject execute(Frame frame) {
       UrbiObject result =
           value == null ? frame.interpreter.values().voidObject : value.execute(frame);
-      Object home = inClosure ? frame.home() : null;
+      Frame home = inClosure ? frame.home() : null;
       if (home != null && frame.isCalledWithin(home)) {
         throw new NonLocalExit.Return(home, result);
       }

@@ -155,7 +155,7 @@ public final class Literals {
     }
 
     /** The activation of the function around all closures; null at the top level. */
-    private static @Nullable Object home(Frame frame) {
+    private static @Nullable Frame home(Frame frame) {
       if (frame.function == null) {
         return null;
       }

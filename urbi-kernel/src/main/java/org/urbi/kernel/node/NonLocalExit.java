@@ -11,15 +11,15 @@ import org.urbi.kernel.object.UrbiObject;
 abstract class NonLocalExit extends ControlFlowException {
   /** Leaves a function. */
   static final class Return extends NonLocalExit {
-    private final transient Object activation;
+    private final transient Frame activation;
     private final transient UrbiObject value;
 
-    Return(Object activation, UrbiObject value) {
+    Return(Frame activation, UrbiObject value) {
       this.activation = activation;
       this.value = value;
     }
 
-    Object activation() {
+    Frame activation() {
       return activation;
     }
 

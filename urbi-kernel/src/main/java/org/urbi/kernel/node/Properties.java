@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.BlendMode;
+import org.urbi.kernel.object.SlotBlending;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -32,20 +33,22 @@ public final class Properties {
     UrbiObject variable = holder.localSlot(slot);
     return property.equals("timestamp")
             && variable != null
-            && data.getter instanceof SlotUpdate.Whole
+            && data.getter() instanceof SlotUpdate.Whole
         ? frame.interpreter.send(frame, variable, property)
-        : data.properties.get(property);
+        : data.property(property);
   }
 
   /** The event that is emitted when the slot is assigned; it is created on first use. */
   private static UrbiObject changed(Frame frame, UrbiObject holder, Symbol slot) {
     SlotData data = holder.ensureSlotData(slot);
-    if (data.changed == null) {
-      data.changed = frame.interpreter.prototypes.event.cloned();
-      data.properties.put("changed", data.changed);
+    UrbiObject event = data.changed();
+    if (event == null) {
+      event = frame.interpreter.prototypes.event.cloned();
+      data.setChanged(event);
+      data.setProperty("changed", event);
       holder.slotDataChanged(slot);
     }
-    return data.changed;
+    return event;
   }
 
   private static UrbiObject holder(Frame frame, UrbiObject target, Symbol slot) {
@@ -65,18 +68,18 @@ public final class Properties {
     }
     UrbiObject holder = holder(frame, target, slot);
     PermissionCheck.checkChange(frame, "setProperty", holder);
-    Object blending = property.equals("blend") ? blending(frame, value) : null;
+    SlotBlending blending = property.equals("blend") ? blending(frame, value) : null;
     SlotData data = holder.ensureSlotData(slot);
-    data.properties.put(property, value);
+    data.setProperty(property, value);
     switch (property) {
-      case "blend" -> data.blending = blending;
-      case "constant" -> data.constant = Truth.of(frame, value);
-      case "changed" -> data.changed = value;
-      case "get" -> data.getter = value;
-      case "set" -> data.setter = value;
-      case "updateHook" -> data.updateHook = value;
-      case "rangemin" -> data.least = value;
-      case "rangemax" -> data.most = value;
+      case "blend" -> data.setBlending(blending);
+      case "constant" -> data.setConstant(Truth.of(frame, value));
+      case "changed" -> data.setChanged(value);
+      case "get" -> data.setGetter(value);
+      case "set" -> data.setSetter(value);
+      case "updateHook" -> data.setUpdateHook(value);
+      case "rangemin" -> data.setLeast(value);
+      case "rangemax" -> data.setMost(value);
       default -> {}
     }
     holder.slotDataChanged(slot);
@@ -105,17 +108,17 @@ public final class Properties {
       return null;
     }
     switch (property) {
-      case "blend" -> data.blending = null;
-      case "constant" -> data.constant = false;
-      case "changed" -> data.changed = null;
-      case "get" -> data.getter = null;
-      case "set" -> data.setter = null;
-      case "updateHook" -> data.updateHook = null;
-      case "rangemin" -> data.least = null;
-      case "rangemax" -> data.most = null;
+      case "blend" -> data.setBlending(null);
+      case "constant" -> data.setConstant(false);
+      case "changed" -> data.setChanged(null);
+      case "get" -> data.setGetter(null);
+      case "set" -> data.setSetter(null);
+      case "updateHook" -> data.setUpdateHook(null);
+      case "rangemin" -> data.setLeast(null);
+      case "rangemax" -> data.setMost(null);
       default -> {}
     }
-    UrbiObject removed = data.properties.remove(property);
+    UrbiObject removed = data.removeProperty(property);
     holder.slotDataChanged(slot);
     return removed;
   }

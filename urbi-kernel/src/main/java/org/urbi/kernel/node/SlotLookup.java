@@ -147,12 +147,12 @@ public final class SlotLookup {
       if (holder != target) {
         target.noteStructureRead();
       }
-      if (data == null || !data.constant) {
+      if (data == null || !data.isConstant()) {
         holder.noteSlotRead(name);
       }
     }
-    return data != null && data.getter != null
-        ? frame.interpreter.call(frame, data.getter, target)
+    return data != null && data.getter() != null
+        ? frame.interpreter.call(frame, data.getter(), target)
         : value;
   }
 
@@ -175,8 +175,8 @@ public final class SlotLookup {
   private static @Nullable UrbiObject read(
       Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
     SlotData data = holder.slotData(name);
-    if (data != null && data.getter != null) {
-      return frame.interpreter.call(frame, data.getter, target);
+    if (data != null && data.getter() != null) {
+      return frame.interpreter.call(frame, data.getter(), target);
     }
     return holder.localSlot(name);
   }

@@ -73,7 +73,7 @@ public final class SlotUpdate {
     int inherited = holder.shape().indexOf(name);
     if (holder.shape().writeSpecial(inherited)) {
       SlotData data = special(holder, name);
-      if (data.setter != null) {
+      if (data.setter() != null) {
         return assignSpecial(frame, target, holder, name, value);
       }
       UrbiObject accepted = accepted(frame, target, name, data, value);
@@ -96,17 +96,18 @@ public final class SlotUpdate {
   private static UrbiObject accepted(
       Frame frame, UrbiObject target, Symbol name, SlotData data, UrbiObject given) {
     UrbiObject value = given;
-    if (data.updateHook != null) {
+    if (data.updateHook() != null) {
       var values = frame.interpreter.values();
       UrbiObject wanted =
-          frame.interpreter.call(frame, data.updateHook, target, values.string(name.name()), given);
+          frame.interpreter.call(
+              frame, data.updateHook(), target, values.string(name.name()), given);
       value = wanted == values.voidObject ? given : wanted;
     }
     if (value instanceof UrbiFloat number) {
-      if (data.least instanceof UrbiFloat least && number.value() < least.value()) {
+      if (data.least() instanceof UrbiFloat least && number.value() < least.value()) {
         return least;
       }
-      if (data.most instanceof UrbiFloat most && number.value() > most.value()) {
+      if (data.most() instanceof UrbiFloat most && number.value() > most.value()) {
         return most;
       }
     }
@@ -127,17 +128,17 @@ public final class SlotUpdate {
   private static UrbiObject assignSpecial(
       Frame frame, UrbiObject target, UrbiObject holder, Symbol name, UrbiObject given) {
     SlotData data = special(holder, name);
-    if (data.constant) {
+    if (data.isConstant()) {
       throw frame.interpreter.errors().constness();
     }
     // With a setter no range is applied: a UVar applies its own, and a program's setter gets all
     // values.
-    UrbiObject value = data.setter == null ? accepted(frame, target, name, data, given) : given;
+    UrbiObject value = data.setter() == null ? accepted(frame, target, name, data, given) : given;
     if (holder.slotData(name) != data) {
       // Its hook has replaced the slot.
       return assign(frame, target, name, value);
     }
-    if (data.blending instanceof Blending blending) {
+    if (data.blending() instanceof Blending blending) {
       UrbiObject blended = blending.assigned(frame, value);
       if (blended == null) {
         return value;
@@ -161,18 +162,18 @@ public final class SlotUpdate {
       Symbol name,
       SlotData data,
       UrbiObject value) {
-    if (data.setter != null) {
-      UrbiObject written = frame.interpreter.call(frame, data.setter, target, value);
-      if (data.setter instanceof Whole) {
+    if (data.setter() != null) {
+      UrbiObject written = frame.interpreter.call(frame, data.setter(), target, value);
+      if (data.setter() instanceof Whole) {
         return written;
       }
     } else {
       holder.setSlotAt(holder.shape().indexOf(name), value);
     }
-    if (data.dependents != null) {
-      data.dependents.changed();
+    if (data.dependents() != null) {
+      data.dependents().changed();
     }
-    if (data.changed instanceof Signal signal) {
+    if (data.changed() instanceof Signal signal) {
       signal.emit(frame, value);
     }
     return value;
@@ -181,8 +182,8 @@ public final class SlotUpdate {
   /** Makes a slot constant, or assignable again. */
   public static void setConstant(UrbiObject target, Symbol name, UrbiObject flag, boolean on) {
     SlotData data = target.ensureSlotData(name);
-    data.constant = on;
-    data.properties.put("constant", flag);
+    data.setConstant(on);
+    data.setProperty("constant", flag);
     target.slotDataChanged(name);
   }
 }

@@ -80,7 +80,7 @@ public final class Trajectory extends Node implements CallSite {
     SlotData data = data(frame);
     if (data != null) {
       for (String property : LIMITS) {
-        UrbiObject limit = data.properties.get(property);
+        UrbiObject limit = data.property(property);
         if (limit != null) {
           attributes.put(DictionaryKey.of(frame, interpreter.values().string(property)), limit);
         }
@@ -96,7 +96,7 @@ public final class Trajectory extends Node implements CallSite {
       goal = interpreter.values().number(0);
     }
     UrbiObject end = goal;
-    return data != null && data.blending instanceof Blending blending
+    return data != null && data.blending() instanceof Blending blending
         ? blending.move(frame, () -> follow(frame, end, attributes))
         : follow(frame, end, attributes);
   }

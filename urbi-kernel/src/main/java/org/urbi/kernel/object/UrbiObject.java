@@ -312,10 +312,7 @@ public class UrbiObject {
     takeOut(i);
     if (data != null) {
       forgetSlotData(name);
-      data.removed = true;
-      if (data.dependents != null) {
-        data.dependents.changed();
-      }
+      data.remove();
     }
     slotsChanged(name);
     return true;
@@ -523,11 +520,13 @@ public class UrbiObject {
   public final void noteSlotRead(Symbol name) {
     if (shape.world.tracker != null) {
       SlotData data = ensureSlotData(name);
-      if (data.dependents == null) {
-        data.dependents = new Dependencies(name.name());
+      Dependencies dependents = data.dependents();
+      if (dependents == null) {
+        dependents = new Dependencies(name.name());
+        data.setDependents(dependents);
         slotDataChanged(name);
       }
-      shape.world.tracker.read(data.dependents);
+      shape.world.tracker.read(dependents);
     }
   }
 

@@ -108,7 +108,7 @@ final class SeenVariables {
         opens(value),
         limit(data, "rangemin"),
         limit(data, "rangemax"),
-        data != null && data.constant,
+        data != null && data.isConstant(),
         variable != null,
         variable != null && variable.isOwned() ? owner(variable) : "",
         variable == null ? 0 : variable.writes().times(),
@@ -128,7 +128,7 @@ final class SeenVariables {
   }
 
   private static double limit(@Nullable SlotData data, String property) {
-    return data != null && data.properties.get(property) instanceof UrbiFloat limit
+    return data != null && data.property(property) instanceof UrbiFloat limit
         ? limit.value()
         : Double.NaN;
   }
@@ -140,9 +140,9 @@ final class SeenVariables {
 
   private static List<String> readers(@Nullable SlotData data, @Nullable UrbiUVar variable) {
     List<String> all = new ArrayList<>();
-    if (data != null && data.dependents != null) {
-      data.dependents.watchers(MOST_READERS).forEach(each -> all.add(Written.brief(each)));
-      int more = data.dependents.size() - all.size();
+    if (data != null && data.dependents() != null) {
+      data.dependents().watchers(MOST_READERS).forEach(each -> all.add(Written.brief(each)));
+      int more = data.dependents().size() - all.size();
       if (more > 0) {
         all.add(more + " more conditions");
       }

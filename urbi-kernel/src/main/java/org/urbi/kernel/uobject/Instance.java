@@ -136,8 +136,8 @@ final class Instance {
       SlotData data = listened.slotData(slot);
       boolean watched =
           data != null
-              && (data.dependents != null && !data.dependents.isEmpty()
-                  || data.changed instanceof UrbiEvent changed && changed.hasSubscribers());
+              && (data.dependents() != null && !data.dependents().isEmpty()
+                  || data.changed() instanceof UrbiEvent changed && changed.hasSubscribers());
       if (watched
           || listened.localSlot(slot) instanceof UrbiEvent event && event.hasSubscribers()) {
         return true;

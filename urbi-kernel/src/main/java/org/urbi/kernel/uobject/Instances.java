@@ -92,7 +92,7 @@ final class Instances {
     Symbol slot = world.symbol(Utf8Text.toUrbi(instance.name()));
     setSlot(namespace, slot, world.values().voidObject);
     SlotData data = namespace.ensureSlotData(slot);
-    data.getter = new Named(world.prototype("Code").cloneShape(), instance);
+    data.setGetter(new Named(world.prototype("Code").cloneShape(), instance));
     namespace.slotDataChanged(slot);
     String name = instance.name();
     Reclamation.CLEANER.register(

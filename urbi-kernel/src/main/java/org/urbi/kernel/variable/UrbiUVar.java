@@ -51,7 +51,7 @@ public final class UrbiUVar extends UrbiObject {
     /** The data of the slot; null if the slot or its object no longer exists. */
     @Nullable SlotData data() {
       SlotData data = slot.get();
-      return data == null || data.removed ? null : data;
+      return data == null || data.isRemoved() ? null : data;
     }
   }
 
@@ -121,7 +121,7 @@ public final class UrbiUVar extends UrbiObject {
   /** The variable behind the object's own slot, or null. */
   public static @Nullable UrbiUVar behind(UrbiObject owner, Symbol slot) {
     SlotData data = owner.slotData(slot);
-    boolean hooked = data != null && data.setter instanceof Access;
+    boolean hooked = data != null && data.setter() instanceof Access;
     return hooked && owner.localSlot(slot) instanceof UrbiUVar variable ? variable : null;
   }
 
@@ -149,15 +149,15 @@ public final class UrbiUVar extends UrbiObject {
       owner.setSlotAt(owner.shape().indexOf(slot), this);
     }
     SlotData data = owner.ensureSlotData(slot);
-    properties.putAll(data.properties);
-    data.properties = properties;
+    data.shareProperties(properties);
     places.add(new Place(owner, data));
     Shape code = interpreter.prototypes().code.cloneShape();
-    data.getter = new Access(code, false);
-    data.setter = new Access(code, true);
-    if (tellsChanges && data.changed == null) {
-      data.changed = changed(interpreter);
-      data.properties.put("changed", data.changed);
+    data.setGetter(new Access(code, false));
+    data.setSetter(new Access(code, true));
+    if (tellsChanges && data.changed() == null) {
+      UrbiObject event = changed(interpreter);
+      data.setChanged(event);
+      data.setProperty("changed", event);
     }
     owner.slotDataChanged(slot);
   }
@@ -362,7 +362,7 @@ public final class UrbiUVar extends UrbiObject {
     }
     for (Place place : places) {
       SlotData data = place.data();
-      if (data != null && data.dependents != null && !data.dependents.isEmpty()) {
+      if (data != null && data.dependents() != null && !data.dependents().isEmpty()) {
         return true;
       }
     }
@@ -522,8 +522,8 @@ public final class UrbiUVar extends UrbiObject {
     }
     for (int i = 0; i < places.size(); i++) {
       SlotData data = places.get(i).data();
-      if (data != null && data.dependents != null) {
-        data.dependents.changed();
+      if (data != null && data.dependents() != null) {
+        data.dependents().changed();
       }
     }
   }

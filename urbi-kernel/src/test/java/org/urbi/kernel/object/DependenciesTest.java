@@ -90,9 +90,9 @@ class DependenciesTest {
     object.addSlot(x, values.nil);
     assertEquals(1, watch(object, o -> o.noteSlotRead(x), "read"));
     assertTrue(object.shape().writeSpecial(0));
-    Dependencies dependents = object.slotData(x).dependents;
+    Dependencies dependents = object.slotData(x).dependents();
     assertEquals(1, watch(object, o -> o.noteSlotRead(x), "again"));
-    assertEquals(dependents, object.slotData(x).dependents);
+    assertEquals(dependents, object.slotData(x).dependents());
     object.removeSlot(x);
     assertEquals(List.of("read", "again"), told);
   }

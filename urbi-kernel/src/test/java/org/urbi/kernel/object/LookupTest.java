@@ -172,7 +172,7 @@ class LookupTest {
     int behind = y.epoch();
     object.addSlot(x, root.cloned());
     object.addSlot(y, root.cloned());
-    object.ensureSlotData(x).getter = root.cloned();
+    object.ensureSlotData(x).setGetter(root.cloned());
     object.slotDataChanged(x);
     object.setProtos(root.cloned());
     object.removeSlot(x);
@@ -185,10 +185,10 @@ class LookupTest {
     UrbiObject top = with(x);
     top.cloned();
     int before = x.epoch();
-    top.ensureSlotData(x).properties.put("note", root);
+    top.ensureSlotData(x).setProperty("note", root);
     top.slotDataChanged(x);
     assertEquals(before, x.epoch());
-    top.ensureSlotData(x).getter = root.cloned();
+    top.ensureSlotData(x).setGetter(root.cloned());
     top.slotDataChanged(x);
     assertNotEquals(before, x.epoch());
     assertTrue(top.shape().readSpecial(0));

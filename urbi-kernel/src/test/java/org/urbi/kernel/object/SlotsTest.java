@@ -147,7 +147,7 @@ class SlotsTest {
     UrbiObject two = root.cloned();
     one.addSlot(name("a"), value());
     two.addSlot(name("a"), value());
-    one.ensureSlotData(name("a")).constant = true;
+    one.ensureSlotData(name("a")).setConstant(true);
     one.slotDataChanged(name("a"));
     assertTrue(one.shape().writeSpecial(0));
     assertFalse(two.shape().writeSpecial(0));
@@ -165,12 +165,12 @@ class SlotsTest {
       object.slotDataChanged(name("a"));
       assertFalse(object.shape().writeSpecial(1));
       switch (reason) {
-        case 0 -> data.constant = true;
-        case 1 -> data.changed = value();
-        case 2 -> data.setter = value();
-        case 3 -> data.dependents = new Dependencies("x");
-        case 4 -> data.getter = value();
-        default -> data.blending = "blending";
+        case 0 -> data.setConstant(true);
+        case 1 -> data.setChanged(value());
+        case 2 -> data.setSetter(value());
+        case 3 -> data.setDependents(new Dependencies("x"));
+        case 4 -> data.setGetter(value());
+        default -> data.setBlending(new SlotBlending() {});
       }
       object.slotDataChanged(name("a"));
       assertTrue(object.shape().writeSpecial(1), "reason " + reason);
@@ -186,7 +186,7 @@ class SlotsTest {
     for (String slot : List.of("a", "b", "c", "d")) {
       object.addSlot(name(slot), value());
     }
-    object.ensureSlotData(name("c")).constant = true;
+    object.ensureSlotData(name("c")).setConstant(true);
     object.slotDataChanged(name("c"));
     object.removeSlot(name("b"));
     assertTrue(object.shape().writeSpecial(1));
@@ -205,13 +205,13 @@ class SlotsTest {
     UrbiObject object = root.cloned();
     object.addSlot(name("a"), value());
     SlotData old = object.ensureSlotData(name("a"));
-    old.constant = true;
+    old.setConstant(true);
     object.slotDataChanged(name("a"));
     assertSame(old, object.slotData(name("a")));
     assertSame(old, object.ensureSlotData(name("a")));
-    assertFalse(old.removed);
+    assertFalse(old.isRemoved());
     object.removeSlot(name("a"));
-    assertTrue(old.removed);
+    assertTrue(old.isRemoved());
     assertNull(object.slotData(name("a")));
     object.addSlot(name("a"), value());
     assertFalse(object.shape().writeSpecial(0));

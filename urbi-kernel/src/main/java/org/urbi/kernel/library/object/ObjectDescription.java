@@ -47,7 +47,7 @@ final class ObjectDescription {
   /** The properties set by programs, by name. */
   private static Map<String, UrbiObject> properties(UrbiObject object, Symbol slot) {
     SlotData data = object.slotData(slot);
-    return data == null ? Map.of() : data.properties;
+    return data == null ? Map.of() : data.properties();
   }
 
   @Builtin(doc = "Sends the object to the channel topLevel.")

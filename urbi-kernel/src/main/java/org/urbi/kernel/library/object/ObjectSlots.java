@@ -220,7 +220,7 @@ final class ObjectSlots {
   static boolean hasProperty(Frame frame, UrbiObject self, String slot, String property) {
     UrbiObject holder = found(frame, self, slot, self.locate(symbol(self, slot)));
     SlotData data = holder.slotData(symbol(self, slot));
-    return data != null && data.properties.containsKey(property);
+    return data != null && data.properties().containsKey(property);
   }
 
   @Builtin(doc = "Removes a property of a slot; returns the value that it had, or warns.")
@@ -240,10 +240,11 @@ final class ObjectSlots {
     SlotData data = holder.slotData(symbol(self, slot));
     Map<UrbiDictionary.Key, UrbiObject> all = new LinkedHashMap<>();
     if (data != null) {
-      data.properties.forEach((name, value) -> {
-        UrbiString key = self.world().values().string(name);
-        all.put(DictionaryKey.of(frame, key), value);
-      });
+      data.properties()
+          .forEach((name, value) -> {
+            UrbiString key = self.world().values().string(name);
+            all.put(DictionaryKey.of(frame, key), value);
+          });
     }
     all.putIfAbsent(
         DictionaryKey.of(frame, self.world().values().string("constant")),
