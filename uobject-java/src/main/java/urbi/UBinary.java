@@ -147,7 +147,7 @@ public final class UBinary {
   }
 
   /**
-   * The image that it is.
+   * The content as an image.
    *
    * @throws UCastException if its header is not an image's
    */

@@ -49,7 +49,8 @@ public final class UCast {
   /**
    * Tells how objects of a type become values and values such objects.
    *
-   * @param fromUValue throws what it likes for a value that is none; best a {@link UCastException}
+   * @param fromUValue may throw anything for a value that does not fit; best a {@link
+   *     UCastException}
    */
   public static <T> void register(
       Class<T> type,

@@ -23,7 +23,11 @@ public final class UDictionary extends LinkedHashMap<String, UValue> {
     return this;
   }
 
-  /** Puts what is made a value by {@link UCast#toUValue}; the one that was there before. */
+  /**
+   * Puts a value, which {@link UCast#toUValue} makes of the object.
+   *
+   * @return the value that the name had before
+   */
   public UValue put(String name, Object value) {
     return put(name, UCast.toUValue(value));
   }

@@ -315,7 +315,10 @@ public class UVar {
     return check().in();
   }
 
-  /** The number that was written here last: of an owned variable what others read. NaN without. */
+  /**
+   * The number that was written here last, or NaN if it is no number. Of an owned variable it is
+   * what others read.
+   */
   public double out() {
     return check().out();
   }

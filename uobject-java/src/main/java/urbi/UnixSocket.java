@@ -138,7 +138,7 @@ final class UnixSocket extends Socket {
     return new SocketException("Socket closed", e);
   }
 
-  /** Waits; an interrupt of the thread is left to others. */
+  /** Waits. If the thread was interrupted it still is afterwards, for whoever looks at that. */
   private static void await(Selector selector, int milliseconds) throws IOException {
     boolean interrupted = Thread.interrupted();
     try {

@@ -156,7 +156,7 @@ public final class RtpSession {
     return packet == null ? 0 : packet.token();
   }
 
-  /** Takes a datagram; what is none of the other end's is dropped. */
+  /** Takes a datagram; one that is not from the other end is dropped. */
   public void receive(byte[] bytes, int length) {
     if (RtcpPacket.is(bytes, length)) {
       control(RtcpPacket.read(bytes, length));

@@ -19,7 +19,7 @@ import urbi.UStart;
 public final class ModuleFiles {
   private ModuleFiles() {}
 
-  /** Those who load what is no jar. */
+  /** What loads modules that are not jars. */
   private static ServiceLoader<ModuleLoader> loaders() {
     return ServiceLoader.load(ModuleLoader.class, ModuleFiles.class.getClassLoader());
   }

@@ -32,7 +32,7 @@ public abstract class ValueDecoder {
     return takeInt();
   }
 
-  /** A value of a kind that is none of the usual ones, after the byte of the kind. */
+  /** Reads a value of an unusual kind, after the byte of the kind. */
   protected UValue takeOther(int kind) {
     throw new WireException("no kind of value: " + kind);
   }

@@ -123,7 +123,7 @@ final class ValueWriter extends ValueEncoder {
     RawMemory.putDouble(room(Double.BYTES), value);
   }
 
-  /** A text that is no value: of an error. */
+  /** Writes the text of an error: its bytes alone, without what values have before them. */
   void plain(String text) {
     byte[] utf8 = ByteText.encode(text);
     putBytes(utf8, 0, utf8.length);

@@ -59,7 +59,8 @@ public final class BuiltinProcessor extends AbstractProcessor {
     for (Declaration type : found) {
       write(type.packageName + "." + type.tableName(), TableWriter.table(type));
     }
-    write(Kernel.INDEX_PACKAGE + "." + Kernel.INDEX_NAME, TableWriter.index(all));
+    write(
+        KernelClassNames.INDEX_PACKAGE + "." + KernelClassNames.INDEX_NAME, TableWriter.index(all));
     return false;
   }
 

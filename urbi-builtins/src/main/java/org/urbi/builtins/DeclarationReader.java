@@ -83,7 +83,7 @@ final class DeclarationReader {
         .filter(m ->
             m.getSimpleName().contentEquals("newPrototype")
                 && m.getParameters().size() == 1
-                && isNamed(m.getParameters().getFirst().asType(), Kernel.WORLD))
+                && isNamed(m.getParameters().getFirst().asType(), KernelClassNames.WORLD))
         .findFirst()
         .map(m -> isStatic(m) ? Declaration.Prototype.BY_CLASS : Declaration.Prototype.BY_INSTANCE)
         .orElse(Declaration.Prototype.PLAIN_OBJECT);
@@ -144,10 +144,11 @@ final class DeclarationReader {
     List<? extends VariableElement> parameters = method.getParameters();
     int next = 0;
     boolean frame =
-        next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.FRAME);
+        next < parameters.size() && isNamed(parameters.get(next).asType(), KernelClassNames.FRAME);
     next += frame ? 1 : 0;
     boolean site =
-        next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.CALL_SITE);
+        next < parameters.size()
+            && isNamed(parameters.get(next).asType(), KernelClassNames.CALL_SITE);
     next += site ? 1 : 0;
     Declaration.Parameter self =
         next < parameters.size() ? readParameter(method, parameters.get(next), false) : null;
@@ -234,7 +235,7 @@ final class DeclarationReader {
 
   private Declaration.@Nullable Kind restKind(TypeMirror type) {
     return type.getKind() == TypeKind.ARRAY
-            && isNamed(((ArrayType) type).getComponentType(), Kernel.OBJECT)
+            && isNamed(((ArrayType) type).getComponentType(), KernelClassNames.OBJECT)
         ? Declaration.Kind.REST
         : null;
   }
@@ -262,7 +263,7 @@ final class DeclarationReader {
     if (BOXES.containsKey(name)) {
       return optional ? BOXES.get(name) : null;
     }
-    if (name.equals(Kernel.OBJECT)) {
+    if (name.equals(KernelClassNames.OBJECT)) {
       return Declaration.Kind.OBJECT;
     }
     return isObject(type) ? Declaration.Kind.SUBCLASS : null;
@@ -297,14 +298,15 @@ final class DeclarationReader {
 
   /** The type of the result in urbiscript; empty when it may be any. */
   private String resultType(ExecutableElement method, Declaration.Result result) {
-    if (result != Declaration.Result.OBJECT || isNamed(method.getReturnType(), Kernel.OBJECT)) {
+    if (result != Declaration.Result.OBJECT
+        || isNamed(method.getReturnType(), KernelClassNames.OBJECT)) {
       return result.type;
     }
     return Declaration.typeName(qualifiedName(method.getReturnType()));
   }
 
   private boolean isObject(TypeMirror type) {
-    TypeElement object = environment.getElementUtils().getTypeElement(Kernel.OBJECT);
+    TypeElement object = environment.getElementUtils().getTypeElement(KernelClassNames.OBJECT);
     return object != null && environment.getTypeUtils().isSubtype(type, object.asType());
   }
 

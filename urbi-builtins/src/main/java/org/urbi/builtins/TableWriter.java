@@ -42,7 +42,7 @@ final class TableWriter {
     line("package " + type.packageName + ";");
     line("");
     line("/** The builtins of " + type.type + "; generated from " + type.className + ". */");
-    line("public final class " + name + " extends " + Kernel.TABLE + " {");
+    line("public final class " + name + " extends " + KernelClassNames.TABLE + " {");
     if (isMade(type)) {
       line("  private final " + type.className + " builtins;");
       line("");
@@ -73,7 +73,12 @@ final class TableWriter {
       boolean byClass = type.prototype == Declaration.Prototype.BY_CLASS;
       line("");
       line("  @Override");
-      line("  public " + Kernel.OBJECT + " newPrototype(" + Kernel.WORLD + " world) {");
+      line(
+          "  public "
+              + KernelClassNames.OBJECT
+              + " newPrototype("
+              + KernelClassNames.WORLD
+              + " world) {");
       line("    return " + (byClass ? type.className : "builtins") + ".newPrototype(world);");
       line("  }");
     }
@@ -89,7 +94,7 @@ final class TableWriter {
         method.max() < 0 ? "Integer.MAX_VALUE" : String.valueOf(method.max()),
         method.lazy(),
         method.setter(),
-        Kernel.ROLE,
+        KernelClassNames.ROLE,
         method.needs().role,
         method.needs().changes,
         literal(method.formals()),
@@ -101,14 +106,17 @@ final class TableWriter {
       String.format(
           "(%n      int index,%n      %s caller,%n      %s site,%n      %s self,%n"
               + "      %s[] arguments) {",
-          Kernel.FRAME, Kernel.CALL_SITE, Kernel.OBJECT, Kernel.OBJECT);
+          KernelClassNames.FRAME,
+          KernelClassNames.CALL_SITE,
+          KernelClassNames.OBJECT,
+          KernelClassNames.OBJECT);
 
   private static final String ACTUALS = "(index, caller, site, self, arguments)";
 
   private void writeCalls(Declaration type, List<String> labels) {
     line("");
     line("  @Override");
-    line("  public " + Kernel.OBJECT + " call" + FORMALS);
+    line("  public " + KernelClassNames.OBJECT + " call" + FORMALS);
     int parts = (type.methods.size() + CASES - 1) / CASES;
     int bound = 0;
     for (int part = 0; part < parts - 1; part++) {
@@ -127,7 +135,7 @@ final class TableWriter {
     for (int part = 0; part < parts; part++) {
       line("");
       String modifiers = isMade(type) ? "private " : "private static ";
-      line("  " + modifiers + Kernel.OBJECT + " call" + part + FORMALS);
+      line("  " + modifiers + KernelClassNames.OBJECT + " call" + part + FORMALS);
       line("    switch (index) {");
       List<Declaration.Method> methods = chunk(type.methods, part);
       List<String> itsLabels = chunk(labels, part);
@@ -172,7 +180,7 @@ final class TableWriter {
       Declaration.Parameter p = method.arguments().get(i);
       String value = "arguments[" + i + "]";
       if (p.kind() == Declaration.Kind.REST) {
-        actuals.add(Kernel.ARGUMENTS + ".rest(arguments, " + i + ")");
+        actuals.add(KernelClassNames.ARGUMENTS + ".rest(arguments, " + i + ")");
       } else if (p.optional()) {
         actuals.add("arguments.length <= " + i + " ? null : " + actual(p, i + 1, value));
       } else {
@@ -210,14 +218,15 @@ final class TableWriter {
               p.javaType(),
               place,
               place,
-              Kernel.ARGUMENTS,
+              KernelClassNames.ARGUMENTS,
               p.javaType(),
               place,
               value,
               literal(p.typeName()));
       default ->
           String.format(
-              "%s.%s(caller, site, %d, %s)", Kernel.ARGUMENTS, p.kind().unwrapper, place, value);
+              "%s.%s(caller, site, %d, %s)",
+              KernelClassNames.ARGUMENTS, p.kind().unwrapper, place, value);
     };
   }
 
@@ -227,19 +236,19 @@ final class TableWriter {
             Comparator.comparing(Declaration.Service::name)
                 .thenComparing(Declaration.Service::javaType));
     types.forEach(type -> services.addAll(type.services));
-    line("package " + Kernel.INDEX_PACKAGE + ";");
+    line("package " + KernelClassNames.INDEX_PACKAGE + ";");
     line("");
     line("/** The tables of all types of the library, in alphabetical order; generated. */");
-    line("public final class " + Kernel.INDEX_NAME + " {");
-    line("  private " + Kernel.INDEX_NAME + "() {}");
+    line("public final class " + KernelClassNames.INDEX_NAME + " {");
+    line("  private " + KernelClassNames.INDEX_NAME + "() {}");
     line("");
     line("  /**");
     line(
         "   * New tables of all types; the parts of a type follow the class that declares it. What");
     line("   * the builtins need of the kernel is handed to those that need it.");
     line("   */");
-    line("  public static " + Kernel.TABLE + "[] all(" + join(services) + ") {");
-    line("    return new " + Kernel.TABLE + "[] {");
+    line("  public static " + KernelClassNames.TABLE + "[] all(" + join(services) + ") {");
+    line("    return new " + KernelClassNames.TABLE + "[] {");
     for (Declaration type : types) {
       String needed = names(type.services);
       line("      new " + type.packageName + "." + type.tableName() + "(" + needed + "),");
@@ -250,7 +259,7 @@ final class TableWriter {
     line(
         "  /** Tables that tell what is declared; what needs the kernel cannot be called in them. */");
     line("  @org.jspecify.annotations.NullUnmarked");
-    line("  public static " + Kernel.TABLE + "[] declarations() {");
+    line("  public static " + KernelClassNames.TABLE + "[] declarations() {");
     line("    return all(" + services.stream().map(s -> "null").collect(joining(", ")) + ");");
     line("  }");
     line("}");

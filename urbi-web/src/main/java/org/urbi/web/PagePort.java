@@ -134,8 +134,8 @@ public final class PagePort implements AutoCloseable {
   }
 
   /**
-   * Who has asked for nothing whole since it came, or has got it, goes for the next one: otherwise
-   * a few that send half a request would lock out everybody else.
+   * When all places are taken, the connection that has waited longest without a stream is closed
+   * for the next one: otherwise a few that send half a request would lock out everybody else.
    */
   private void makeRoom() {
     Predicate<Channel> waits = channel -> !isStream(channel);

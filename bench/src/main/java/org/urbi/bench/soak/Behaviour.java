@@ -134,7 +134,9 @@ enum Behaviour {
       soakConnection.check();
     }
   },
-  /** Components that are made, bound, notified of, and left behind; and modules that are none. */
+  /**
+   * Components that are made, bound, notified of, and left behind; and files that are no modules.
+   */
   COMPONENT {
     @Override
     void act(SoakConnection soakConnection, Random random) throws IOException {

@@ -31,7 +31,11 @@ final class Pace {
     return (now - origin) * (paused ? 0 : speed);
   }
 
-  /** Gives up some time; returns all that has been given up. Less than 0 is won. */
+  /**
+   * Gives up some seconds that the machine was too slow for; a negative number takes some back.
+   *
+   * @return all the seconds that have been given up until now
+   */
   double lose(double seconds) {
     lost += seconds;
     return lost;

@@ -85,7 +85,7 @@ public final class SimPage extends UObject implements AutoCloseable {
     url.setValue(present.url());
   }
 
-  /** Another port or host; if these cannot be used it stays where it was. */
+  /** Serves the page on another port or host; if that fails the page stays where it was. */
   public void moved() {
     String newHost = host.stringValue();
     int newPort = port.intValue();

@@ -392,10 +392,11 @@ public final class SimWorld extends UObject implements AutoCloseable {
   }
 
   /**
-   * What a laser scanner measures that is mounted on a body, at a place of that: the distances, in
-   * metres, of all that does not belong to the same robot; infinite where there is nothing.
+   * What a laser scanner measures: the distances in metres, ray by ray, infinite where there is
+   * nothing. It is mounted at a place of a body, and does not see the robot to which that belongs.
    *
-   * @param from the angle of the first ray, to the left of the x axis, in radians; to: of the last
+   * @param from the angle of the first ray, to the left of the x axis, in radians
+   * @param to the angle of the last ray
    * @throws SimulationException if the numbers make no sense
    */
   public List<Double> scan(

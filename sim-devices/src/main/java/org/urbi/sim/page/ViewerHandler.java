@@ -29,7 +29,7 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
   private @Nullable ScheduledFuture<?> second;
 
   /**
-   * @param refusal why it can only look; empty if it may give orders
+   * @param refusal why whoever looks may not give orders; empty if he may
    */
   ViewerHandler(Viewers viewers, Orders orders, String refusal) {
     this.viewers = viewers;

@@ -68,7 +68,7 @@ public final class Arguments {
     return integer;
   }
 
-  /** Refuses what is no number, and what does not fit. */
+  /** Refuses values that are not numbers, and numbers that do not fit. */
   private static void checkIsNear(
       Frame caller, CallSite site, int place, UrbiObject given, double dropped) {
     if (!(Math.abs(dropped) < 1)) {

@@ -14,11 +14,12 @@ import java.util.function.LongSupplier;
  */
 public final class MemoryGate {
   /**
-   * Where less than one of so many parts of the memory is free, it must be known what is garbage.
+   * Memory is scarce when less than this fraction of it, an eighth, is free: then it must be known
+   * what is garbage.
    */
   private static final int SCARCE_PART = 8;
 
-  /** At least one of so many parts may be allocated before the next measurement. */
+  /** This fraction of the memory, a 64th, may always be allocated before the next measurement. */
   private static final int LEAST_PART = 64;
 
   /** How long ticks may follow each other before the next measurement, in nanoseconds. */

@@ -18,7 +18,9 @@ final class MemoryMeter {
   /** Never more checks than these between two looks. */
   private static final long MOST_CHECKS = 256;
 
-  /** It looks at least so many times before the limit, if code goes on allocating as it does. */
+  /**
+   * How often it looks before the limit is reached, at least, if code goes on allocating as now.
+   */
   private static final int LOOKS = 8;
 
   private final LongSupplier allocated;

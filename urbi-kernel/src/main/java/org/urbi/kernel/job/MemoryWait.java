@@ -55,7 +55,7 @@ public final class MemoryWait {
         KernelThreadPin.unpin();
       }
     } catch (OutOfMemoryError e) {
-      // There is none for waiting, either: whoever has caught the first one goes on.
+      // There is no memory for waiting, either: whoever has caught the first error goes on.
       return;
     }
   }

@@ -61,10 +61,10 @@ class RunQueue {
   /** How long the processor time is taken to pass as fast as all time, in nanoseconds. */
   private static final long WORK_LOOK = 100_000;
 
-  /** Who takes less time in a round, in nanoseconds, delays nobody… */
+  /** Who takes less time in a round, in nanoseconds, delays nobody and is hardly ever to blame. */
   private static final long LITTLE = SLICE / 10;
 
-  /** …so it is hardly ever to blame: so much of each turn counts for one of so many parts. */
+  /** Only a hundredth of that part of each turn counts, when lots are drawn for who is to blame. */
   private static final long LITTLE_COUNTS = 100;
 
   /**
@@ -138,22 +138,22 @@ class RunQueue {
   /** The processor time when the turn of the current lobby began, or before. */
   private long workedBefore;
 
-  /** The processor time when it was read last… */
+  /** The processor time when it was read last. */
   private long workedAtLook;
 
-  /** …and when that was. */
+  /** When the processor time was read last. */
   private long workLooked;
 
   /** How long the turn of the current lobby has taken, without what the machine did besides. */
   private long turnTook;
 
-  /** The lots of the turn of the current lobby. */
+  /** How many lots, each for a nanosecond that counts, the current lobby has in its turn. */
   private long turnLots;
 
   /** For how long it did not run in its turn, because the machine did something else. */
   private long turnLost;
 
-  /** The lots of all that have had a turn in this round. */
+  /** How many lots all lobbies that have had a turn in this round have together. */
   private long drawn;
 
   /** Whether the jobs before the last reading of the clock took long. */
@@ -532,7 +532,7 @@ class RunQueue {
     turnLost = Math.max(turnLost, time - own);
   }
 
-  /** Somebody has so many more lots; each of the round is as likely to be drawn. */
+  /** Gives somebody that many more lots; each lot of the round is as likely to be drawn. */
   private void draw(long more, int whose) {
     drawn += more;
     if (more > 0 && lots.below(drawn) < more) {

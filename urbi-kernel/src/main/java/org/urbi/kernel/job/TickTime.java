@@ -8,12 +8,12 @@ import org.urbi.kernel.time.Clock;
  * time moves on. On the kernel thread.
  */
 public final class TickTime {
-  /** Simulated time moves on after jobs have been runnable in this many cycles in a row… */
+  /** After so many cycles in a row in which jobs were runnable simulated time moves on. */
   private static final int BUSY_CYCLES = 1000;
 
   /**
-   * …by a microsecond for each: otherwise a job that never waits would keep sleeping jobs asleep
-   * for ever.
+   * It moves on by a microsecond for each of these cycles: otherwise a job that never waits would
+   * keep sleeping jobs asleep for ever.
    */
   private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
 

@@ -11,7 +11,7 @@ import org.urbi.kernel.object.Values;
 
 /**
  * Names that every Urbi 2.7.5 had, which its manual does not explain, and which programs used all
- * the same: other spellings of what there is, and what prototypes have that have not been set up.
+ * the same: other spellings of what there is, and slots of prototypes that nobody has set up.
  */
 final class LegacyNames {
   /** A function in urbiscript. */

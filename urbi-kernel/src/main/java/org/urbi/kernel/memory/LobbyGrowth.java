@@ -25,12 +25,15 @@ public final class LobbyGrowth {
   /** Who has less than this share of all growth has nothing worth giving back. */
   private static final double NEGLIGIBLE = 0.005;
 
-  /** Who has less than this share of the growth of the largest one that was asked… */
+  /**
+   * Who has less than this share of the growth of the largest one that was asked is spared for some
+   * time ({@link #PATIENCE}).
+   */
   private static final double LITTLE = 0.05;
 
   /**
-   * …is spared for so long after somebody was asked, in nanoseconds: until what that one had can be
-   * collected, and less long than those who free memory wait before they give up.
+   * For how many nanoseconds somebody small is spared after a large one was asked: until what that
+   * one had can be collected, and less long than those who free memory wait before they give up.
    */
   private static final long PATIENCE = 3_000_000_000L;
 

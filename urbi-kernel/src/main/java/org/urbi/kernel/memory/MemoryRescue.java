@@ -150,7 +150,7 @@ final class MemoryRescue {
 
   private void attempt(MemoryUser[] users, boolean urgent) {
     if (urgent) {
-      // It is asked who has grown; nobody may have had a look since it began.
+      // Who has grown is asked for below; nobody may have looked since memory became scarce.
       each(users, SCARCE);
     }
     long now = worked.getAsLong();

@@ -19,7 +19,7 @@ public final class MemoryWatchdog {
   /** The same while somebody is about to give back memory. */
   private static final long SHORT_PERIOD_MILLISECONDS = 10;
 
-  /** For how long somebody waits for it at most, in nanoseconds. */
+  /** How long somebody who needs memory waits for it to be freed at most, in nanoseconds. */
   private static final long PATIENCE = 2_000_000_000;
 
   /** How many bytes nobody fills between two looks. */

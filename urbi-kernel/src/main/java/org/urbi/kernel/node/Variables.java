@@ -99,8 +99,8 @@ public final class Variables {
     }
 
     /**
-     * The number of the variable among those that the function has captured; a negative one if it
-     * is none of these, or constant.
+     * The number of the variable among those that the function has captured; negative if it has not
+     * captured it, or if it is constant.
      */
     public int captured() {
       return shared && !constant ? -1 - index : -1;

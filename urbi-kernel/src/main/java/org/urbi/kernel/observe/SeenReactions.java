@@ -24,8 +24,8 @@ final class SeenReactions {
   private final KnownEvents known;
   private final SeenTags tags;
   private final Map<Reaction, Lasting> lasting = new WeakHashMap<>();
-  private final Told<Long, ReactionRow> rows = new Told<>();
-  private final Told<Long, EventRow> events = new Told<>();
+  private final SentRows<Long, ReactionRow> rows = new SentRows<>();
+  private final SentRows<Long, EventRow> events = new SentRows<>();
   private long last;
   private boolean told;
 

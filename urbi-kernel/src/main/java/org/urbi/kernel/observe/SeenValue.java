@@ -18,7 +18,7 @@ import org.urbi.kernel.object.Values;
 
 /**
  * Copies values for people who look at them: to a Double, Boolean, String, {@link Bytes}, List or
- * Map of these; what is none of them becomes null, and within a container the name of its type. No
+ * Map of these; any other value becomes null, or within a container the name of its type. No
  * function of urbiscript is called, and it takes a limited time.
  */
 final class SeenValue {

@@ -26,7 +26,7 @@ final class SeenVariables {
   private static final int MOST_READERS = 6;
 
   private static final class Seen {
-    private final Told<String, SlotRow> slots = new Told<>();
+    private final SentRows<String, SlotRow> slots = new SentRows<>();
     private @Nullable ObjectView before;
   }
 

@@ -32,7 +32,7 @@ public enum VariableKind {
     };
   }
 
-  /** The kind of those that have this one, and have the other one now. */
+  /** The kind of a variable whose values were of this kind, and whose new value is of the other. */
   VariableKind with(VariableKind other) {
     if (this == other || this == LIST && other == NUMBERS) {
       return this;

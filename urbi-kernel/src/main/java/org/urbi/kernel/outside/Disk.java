@@ -21,7 +21,7 @@ import org.urbi.kernel.error.Problem;
  * IOException}s, forbidden operations {@link ConfinedException}s.
  */
 public final class Disk {
-  /** The limit for reading what is no regular file, in bytes. */
+  /** How many bytes are read at most of something that is not a regular file. */
   private static final int LARGEST_DEVICE = 1 << 26;
 
   private final Outside outside;

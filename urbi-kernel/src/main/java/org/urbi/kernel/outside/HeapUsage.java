@@ -26,10 +26,10 @@ public final class HeapUsage implements Heap {
   /** So many times memory is kept: somebody is asked, lets go of its jobs, then of its lobby. */
   private static final int RESERVES = 4;
 
-  /** How many bytes are kept each time for when there are none left… */
+  /** How many bytes are kept each time, for when there are no others left. */
   private static final int RESERVE = 4_000_000;
 
-  /** …but not more than one of so many parts of the heap. */
+  /** No more than this fraction of the heap, a 64th, is kept each time. */
   private static final int RESERVE_PART = 64;
 
   /**

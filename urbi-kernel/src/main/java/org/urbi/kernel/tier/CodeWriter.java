@@ -31,7 +31,7 @@ abstract class CodeWriter {
   /** The first slot that nothing is kept in. */
   private int free;
 
-  /** The node whose place errors have that have none, of what is being emitted; or null. */
+  /** An error without a place gets that of this node, while its code is emitted; null for none. */
   private @Nullable Node place;
 
   /** Emits the beginning of the method; {@link EmitFunction} tells the parameters of functions. */
@@ -68,7 +68,7 @@ abstract class CodeWriter {
     return place != null;
   }
 
-  /** Pushes the node whose place an error has that has none; or null. */
+  /** Pushes the node whose place an error without a place gets; or null. */
   void place() {
     if (place == null) {
       code.aconst_null();

@@ -120,7 +120,7 @@ final class EmitSlots {
     }
   }
 
-  /** Stores the value of the slot if it is there, and no code; and jumps then. */
+  /** If the slot is there and its value is no code, stores the value and jumps. */
   void plainValue(KnownSlot place, int target, int value, Label found) {
     Label otherwise = to.code.newLabel();
     to.doubt(otherwise);

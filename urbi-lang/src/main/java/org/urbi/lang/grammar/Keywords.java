@@ -87,7 +87,7 @@ public final class Keywords {
     return tokens;
   }
 
-  /** All of them, in no order. */
+  /** All keywords, in no particular order. */
   public static Set<String> all() {
     return TOKENS.keySet();
   }

@@ -176,7 +176,7 @@ final class QuickCursor {
     return at++;
   }
 
-  /** Whether a statement that may be missing is missing here. */
+  /** Whether no statement stands here, where one may be left out. */
   boolean isEndOfStatement() {
     return switch (type()) {
       case UrbiscriptParser.SEMICOLON,

@@ -27,10 +27,10 @@ public final class StatementSplitter {
     BINARY
   }
 
-  /** A longer word is no keyword. */
+  /** No keyword is longer. */
   private static final int LONGEST_WORD = 16;
 
-  /** A longer comment is no syncline. */
+  /** No syncline is longer. */
   private static final int LONGEST_SYNCLINE = 4096;
 
   private final LineTable lines;

@@ -114,7 +114,7 @@ final class Goals implements AutoCloseable {
       return sent.outcome();
     }
 
-    /** As soon as it is sent. */
+    /** Cancels the goal, as soon as it has been sent. */
     CompletableFuture<Boolean> cancel() {
       return goal.thenCompose(ActionClient.Goal::cancel);
     }

@@ -31,7 +31,7 @@ final class Handshake {
    * Reads a request.
    *
    * @throws IOException if it is too long, or ends
-   * @throws BridgeException if it is none of HTTP
+   * @throws BridgeException if it is not HTTP
    */
   static Handshake read(InputStream in) throws IOException {
     StringBuilder text = new StringBuilder();

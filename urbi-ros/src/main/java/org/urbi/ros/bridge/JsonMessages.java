@@ -140,7 +140,7 @@ final class JsonMessages {
     return switch (json) {
       case Double number -> new UValue(number.doubleValue());
       case Boolean truth -> new UValue(truth ? 1.0 : 0.0);
-      // As JSON writes what is no number.
+      // JSON has no NaN and writes null for it.
       case null -> new UValue(Double.NaN);
       default -> throw new ValueException("a number expected");
     };

@@ -17,10 +17,13 @@ import org.jspecify.annotations.Nullable;
  * Memory is taken for what has come, never for what is announced.
  */
 final class WebSocket implements AutoCloseable {
-  /** Bytes of a message of theirs. */
+  /** How many bytes a message of a client may have. */
   static final int LONGEST = 32 << 20;
 
-  /** A client that says nothing for so many milliseconds is asked, and then let go. */
+  /**
+   * A client that says nothing for so many milliseconds is asked whether it is still there; if it
+   * is silent again, it is let go.
+   */
   private static final int SILENCE = 20_000;
 
   private static final int CHUNK = 1 << 16;

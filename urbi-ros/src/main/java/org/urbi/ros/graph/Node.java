@@ -97,7 +97,7 @@ public interface Node extends AutoCloseable {
   /**
    * Offers a service.
    *
-   * @throws RosException if the name is no name of a service
+   * @throws RosException if a service cannot have that name
    */
   ServiceServer serve(String service, ServiceType type, ServiceServer.Handler handler);
 

@@ -22,7 +22,7 @@ public interface ParameterServer {
   CompletableFuture<Void> set(String name, UValue value);
 
   /**
-   * Sets a parameter of this node, or of all, if there is none of that name, and says what it is.
+   * Sets a parameter, of this node or of all nodes, unless it is set already, and describes it.
    *
    * @param description is known to those who ask in ROS 2; ROS 1 has no place for it
    * @throws RosException if the value does not fit it

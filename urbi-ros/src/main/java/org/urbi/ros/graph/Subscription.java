@@ -9,7 +9,7 @@ public interface Subscription extends AutoCloseable {
   interface Listener {
     void received(UDictionary message);
 
-    /** The type is known, now or since the first publisher has come. */
+    /** The type of the messages is known: at once, or when the first publisher has told it. */
     default void typed(MessageType type) {}
 
     /** Something went wrong with a publisher; others are still heard. The text is for people. */

@@ -14,7 +14,7 @@ final class LiteralReader {
   /**
    * Reads a value.
    *
-   * @throws DefinitionException if it is none of that type
+   * @throws DefinitionException if the text is not a value of that type
    */
   static UValue read(FieldType type, String text, Dialect dialect) {
     return switch (type) {

@@ -46,7 +46,7 @@ final class OneServiceServer implements ServiceServer {
     return type;
   }
 
-  /** Answers a client until it goes, or once. */
+  /** Answers the requests of a client until it goes; only one if that is all that it asks for. */
   void serve(Map<String, String> header, TcpRosConnection connection) throws IOException {
     String theirs = header.getOrDefault(ConnectionHeader.MD5, "");
     if (!theirs.equals(TypeHash.ANY_MD5) && !theirs.equals(md5)) {

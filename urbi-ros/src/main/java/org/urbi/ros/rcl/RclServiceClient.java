@@ -111,7 +111,7 @@ final class RclServiceClient implements ServiceClient {
       entity.use(memory -> {
         long number = send(memory, request);
         waiting.put(number, answer);
-        // Also if nobody wants it any more.
+        // The number is forgotten, too, when whoever has asked no longer wants the answer.
         answer.whenComplete((value, failure) -> answered(number));
       });
     }

@@ -29,11 +29,11 @@ public record EndpointQos(
 
   /** How a writer shows that it is alive, the weakest first. */
   public enum Liveliness {
-    /** The participant does it. */
+    /** The participant says so by itself. */
     AUTOMATIC,
-    /** By any sample or assertion of any such writer of the participant. */
+    /** Each sample and assertion of one such writer says so for all of the participant. */
     MANUAL_BY_PARTICIPANT,
-    /** By its own samples and assertions. */
+    /** The samples and assertions of a writer say so, for this writer alone. */
     MANUAL_BY_TOPIC
   }
 

@@ -2,7 +2,10 @@ package org.urbi.ros.rtps;
 
 /** What the writers and readers of a participant share, guarded by its lock. */
 final class Environment {
-  /** Others, too, take so many bytes together at most where datagrams may be lost in pieces. */
+  /**
+   * How many bytes a datagram has at most on a network, where it is lost with any of its pieces.
+   * Other implementations have the same limit.
+   */
   private static final int LARGEST_ON_A_NETWORK = 14_720;
 
   final GuidPrefix prefix;

@@ -16,6 +16,6 @@ interface LocalEndpoint {
 
   boolean isMatched(Guid partner);
 
-  /** A writer or reader of its topic is none for it: because of that policy. */
+  /** A writer or reader of the same topic does not match: that policy of its is incompatible. */
   void hindered(EndpointInfo other, String policy);
 }

@@ -110,7 +110,7 @@ final class MessageBuilder {
     return this;
   }
 
-  /** Samples {@code from} to {@code end}, the latter not included, are no more. */
+  /** Says that the samples from {@code from} up to {@code end}, which is excluded, are gone. */
   MessageBuilder gap(int reader, int writer, long from, long end) {
     int start = submessage(MessageParser.GAP, 0);
     endpoints(reader, writer);

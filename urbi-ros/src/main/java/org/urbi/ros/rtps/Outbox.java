@@ -13,10 +13,13 @@ import org.urbi.ros.time.SteadyClock;
  * some wait for more, for a moment. The lock of the participant guards it.
  */
 final class Outbox {
-  /** Whoever writes again within that time will write more: one sample alone is never this fast. */
+  /**
+   * Whoever writes twice within so many nanoseconds is expected to write more: single samples do
+   * not follow each other so fast.
+   */
   private static final long SOON = 15_000;
 
-  /** What waits for more waits so long. */
+  /** How long samples wait for more at most, in nanoseconds. */
   private static final long LATEST = 200_000;
 
   private final MessageBuilder message;

@@ -17,10 +17,10 @@ public interface ReaderListener {
   /** A writer of the topic does not offer what the reader requests: that policy. */
   default void hindered(Reader reader, EndpointInfo writer, String policy) {}
 
-  /** So many samples of a writer will never come. */
+  /** That number of samples of a writer are lost for good. */
   default void lost(Reader reader, Guid writer, long samples) {}
 
-  /** A writer has not shown for its lease that it lives, or does so again. */
+  /** A writer has not shown in time that it is alive, or has shown it again. */
   default void liveliness(Reader reader, Guid writer, boolean alive) {}
 
   /** No sample came within the deadline. */

@@ -315,7 +315,10 @@ final class StatefulWriter {
   }
 
   /**
-   * What all reliable readers have, or all that do not lag; the last one sent if there are none.
+   * The number up to which all reliable readers have acknowledged what was sent; of the last sample
+   * sent if there is no such reader.
+   *
+   * @param withLagging whether readers that lag behind count, too
    */
   private long leastAcknowledged(boolean withLagging) {
     long least = sent;
@@ -347,8 +350,9 @@ final class StatefulWriter {
     MessageBuilder message = to(reader);
     int to = reader.guid.entity();
     if (reader.start > 1) message.gap(to, entity, 1, reader.start);
-    // First as if nothing had been written since it came: then it knows what it has to wait for,
-    // whatever has been lost. Then what there is: nobody is to believe that the writer begins anew.
+    // The first heartbeat ends where the reader begins, so that it knows what it has to wait for,
+    // whatever is lost later. The second one tells of all there is: with the first alone the reader
+    // could believe that the writer has begun anew.
     long last = reader.wantsAll ? sent : reader.start - 1;
     long first = Math.min(history.first(), last + 1);
     boolean more = last < sent;
@@ -493,7 +497,7 @@ final class StatefulWriter {
   private void discardAcknowledged() {
     long acknowledged = leastAcknowledged(true);
     if (!qos.transientLocal()) history.removeUpTo(Math.min(acknowledged, leastRequested() - 1));
-    // Who comes later need not know of what is no more.
+    // Who comes later need not know of instances that were disposed of.
     while (!disposals.isEmpty() && disposals.firstKey() <= acknowledged) {
       Map.Entry<Long, Guid> entry = disposals.pollFirstEntry();
       history.remove(entry.getKey());

@@ -88,7 +88,11 @@ record Entities(Guid participant, List<NodeEntities> nodes) {
     }
   }
 
-  /** How many follow, each of which takes so many bytes at least. */
+  /**
+   * Reads how many elements follow.
+   *
+   * @param least how many bytes an element has at least: the message must have room for all
+   */
   private static int count(ByteBuffer in, int least) {
     align(in);
     int count = in.getInt();

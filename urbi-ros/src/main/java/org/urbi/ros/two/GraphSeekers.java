@@ -31,16 +31,20 @@ public final class GraphSeekers {
     return new CompletableFuture<Void>().completeOnTimeout(null, seconds, TimeUnit.SECONDS);
   }
 
-  /** The graph, as soon as a new node knows who is there; told by a thread that may wait. */
+  /**
+   * The graph; of a node that has just begun, when it has had time to find the others.
+   *
+   * @param now tells the graph, on a thread that may wait
+   */
   public CompletableFuture<GraphSnapshot> graph(Supplier<GraphSnapshot> now) {
     return looked.thenApplyAsync(nothing -> now.get(), TASKS);
   }
 
   /**
-   * What is told in the graph, now or soon.
+   * Something that the graph tells, now or soon.
    *
-   * @param look what is told by now
-   * @param missing what people are told if it does not come
+   * @param look what it tells by now
+   * @param missing what people are told if the graph does not tell it in time
    */
   public CompletableFuture<String> sought(Supplier<Optional<String>> look, String missing) {
     CompletableFuture<String> found = new CompletableFuture<>();

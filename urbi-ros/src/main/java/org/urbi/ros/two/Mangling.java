@@ -36,14 +36,14 @@ final class Mangling {
     return dds.startsWith(TOPIC + "/") ? dds.substring(TOPIC.length()) : "";
   }
 
-  /** The name of the service whose requests these are, empty if they are none. */
+  /** The name of the service whose requests the topic has; empty if it is not such a topic. */
   static String serviceOf(String dds) {
     return dds.startsWith(REQUEST + "/") && dds.endsWith(REQUEST_END)
         ? dds.substring(REQUEST.length(), dds.length() - REQUEST_END.length())
         : "";
   }
 
-  /** {@code std_msgs/msg/String}; what is no type of ROS remains as it is. */
+  /** {@code std_msgs/msg/String}; names that are not of ROS remain as they are. */
   static String typeOf(String dds) {
     int at = dds.indexOf(DDS);
     if (at < 0 || !dds.endsWith("_")) return dds;

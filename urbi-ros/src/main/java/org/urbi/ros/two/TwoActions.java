@@ -49,7 +49,7 @@ final class TwoActions implements Actions {
         .thenCompose(found -> new TwoActionClient(this, full, own(typeOf(found))).ready());
   }
 
-  /** The type of an action, by that of the service to which goals are sent. */
+  /** The type of an action, from the type of the service that takes its goals. */
   private ActionType typeOf(String sendGoal) {
     String end = "_SendGoal";
     return node.definitions()

@@ -140,7 +140,10 @@ final class TwoServiceClient implements ServiceClient {
     }
   }
 
-  /** Those who wait for nobody else than that server are told; another one may have come since. */
+  /**
+   * A server has gone: requests that no other server could answer fail. A server that has come
+   * after a request does not know of it.
+   */
   private void gone(Predicate<Guid> who) {
     List<CompletableFuture<UDictionary>> lost = new ArrayList<>();
     synchronized (waiting) {

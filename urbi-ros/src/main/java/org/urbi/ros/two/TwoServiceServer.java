@@ -85,7 +85,7 @@ final class TwoServiceServer implements ServiceServer {
       asked =
           requests.decode(bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining());
     } catch (CodecException e) {
-      // ROS 2 has no way to refuse: whoever asks what is no request gets no answer.
+      // ROS 2 has no way to refuse: whoever sends something that is not a request gets no answer.
       String owner = node.owners().now(client);
       node.reports().tell(service + ": " + owner + " sends what is no request", e);
       return;

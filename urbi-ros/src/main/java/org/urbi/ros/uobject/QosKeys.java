@@ -52,7 +52,11 @@ final class QosKeys {
     return new Qos(reliable, kept, depth, deadline, asOffered);
   }
 
-  /** Whether it is the second one. */
+  /**
+   * Whether the value is the second of two words.
+   *
+   * @throws RosException if it is neither
+   */
   private static boolean choice(String key, UValue value, String no, String yes) {
     String text = value.getType() == UDataType.DATA_STRING ? value.stringValue() : "";
     if (!List.of(no, yes).contains(text)) {

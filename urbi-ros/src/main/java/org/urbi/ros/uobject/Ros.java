@@ -92,7 +92,7 @@ public final class Ros extends UObject implements AutoCloseable {
         "paramsOf");
     // Whoever waits for one of the events has it called: ros.u sees to that.
     bind("__watch", this::watch);
-    bind(Taker.TAKE, this::take);
+    bind(MessageReceiver.TAKE, this::take);
     // ros.u has the usual time and patience.
     bind("__lookup", this::lookup);
     bind("Topic", () -> UValue.slotName("RosTopic"));
@@ -129,7 +129,7 @@ public final class Ros extends UObject implements AutoCloseable {
 
   /** Something has come for an object, which may be destroyed by now. */
   public void take(String taker) {
-    if (getUObject(taker) instanceof Taker known) {
+    if (getUObject(taker) instanceof MessageReceiver known) {
       known.take();
     }
   }

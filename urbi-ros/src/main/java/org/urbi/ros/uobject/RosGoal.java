@@ -12,7 +12,7 @@ import urbi.UObject;
 import urbi.UVar;
 
 /** A goal that urbiscript sends to an action. When it is destroyed, the server is to give it up. */
-public final class RosGoal extends UObject implements Taker, AutoCloseable {
+public final class RosGoal extends UObject implements MessageReceiver, AutoCloseable {
   static {
     UStart(RosGoal.class);
   }
@@ -28,7 +28,7 @@ public final class RosGoal extends UObject implements Taker, AutoCloseable {
   private final UEvent onFeedback = new UEvent();
   private final UVar feedback = new UVar();
   private final UVar status = new UVar();
-  private final Delivery<UDictionary> delivery = new Delivery<>(() -> Taker.soon(this));
+  private final Delivery<UDictionary> delivery = new Delivery<>(() -> MessageReceiver.soon(this));
   private @Nullable RosAction action;
   private ActionClient.@Nullable Goal sent;
   private volatile String latest = GoalStatus.UNKNOWN.toString();
@@ -73,7 +73,7 @@ public final class RosGoal extends UObject implements Taker, AutoCloseable {
   /** The status is another one; called by threads of the network. */
   private void tell(String now) {
     latest = now;
-    Taker.soon(this);
+    MessageReceiver.soon(this);
   }
 
   private ActionClient.Goal sent() {

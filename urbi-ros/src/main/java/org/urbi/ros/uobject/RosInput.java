@@ -20,7 +20,7 @@ import urbi.UValue;
  * A field of a topic that urbiscript wants to have, the newest one, at a rate at most: nothing else
  * of the messages reaches the kernel. {@code Ros.input} in {@code ros.u} leads it to a variable.
  */
-public final class RosInput extends UObject implements Taker, AutoCloseable {
+public final class RosInput extends UObject implements MessageReceiver, AutoCloseable {
   static {
     UStart(RosInput.class);
   }
@@ -44,7 +44,7 @@ public final class RosInput extends UObject implements Taker, AutoCloseable {
    */
   public CompletionStage<Void> init(String topic, String field, String typeName, double rate) {
     FieldPath path = FieldPath.of(field);
-    Pace pace = new Pace(rate, () -> Taker.soon(this));
+    Pace pace = new Pace(rate, () -> MessageReceiver.soon(this));
     Delivery<UValue> fields = new Delivery<>(pace::want);
     delivery = fields;
     Node node = Ros.of(this);

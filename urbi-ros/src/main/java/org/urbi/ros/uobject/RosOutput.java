@@ -49,7 +49,7 @@ public final class RosOutput extends UObject implements AutoCloseable {
     Node node = Ros.of(this);
     MessageType type = node.definitions().message(typeName);
     wanted.check(type);
-    // So that a list that is too short for the field is told now, and not with each value.
+    // A list that is too short for the field is an error now, and not with each value.
     wanted.get(Templates.of(type));
     path = wanted;
     publisher = node.advertise(topic, type, Qos.DEFAULT, new Publisher.Listener() {});

@@ -22,7 +22,7 @@ import urbi.UValue;
 import urbi.UVar;
 
 /** A topic to which urbiscript listens, or on which it speaks (manual, "Ros.Topic"). */
-public final class RosTopic extends UObject implements Taker, AutoCloseable {
+public final class RosTopic extends UObject implements MessageReceiver, AutoCloseable {
   static {
     UStart(RosTopic.class);
   }
@@ -39,7 +39,7 @@ public final class RosTopic extends UObject implements Taker, AutoCloseable {
   private final UVar depth = new UVar();
   private final UVar latch = new UVar();
   private final UVar qos = new UVar();
-  private final Delivery<UDictionary> delivery = new Delivery<>(() -> Taker.soon(this));
+  private final Delivery<UDictionary> delivery = new Delivery<>(() -> MessageReceiver.soon(this));
 
   private String topic = "";
   private volatile @Nullable MessageType type;

@@ -21,7 +21,7 @@ final class FileNames {
   /** How many entries of a folder are looked at; nobody reads the names of more. */
   private static final int MOST = 5000;
 
-  /** What loads scripts, which are looked for in the search path. */
+  /** The functions that load scripts, which are looked for in the search path. */
   private static final String LOADING = "load|loadFile|require|requireFile";
 
   private static final Pattern STRING =

@@ -24,7 +24,7 @@ final class JvmFlags {
         .anyMatch(flag -> flag.startsWith("-XX:AOTCache="));
   }
 
-  /** Those of this JVM that are for its children, too. */
+  /** The flags of this JVM that processes which it starts get, too. */
   static List<String> inherited() {
     return common(ManagementFactory.getRuntimeMXBean().getInputArguments());
   }

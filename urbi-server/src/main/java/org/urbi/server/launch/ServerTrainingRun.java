@@ -32,7 +32,7 @@ public final class ServerTrainingRun {
     FailureLog.THREADS
         .platform("urbi-training", () -> UrbiLaunchJava.run(component, System.out, System.err))
         .start();
-    // A library that is none loads what would find its functions all the same.
+    // An empty file is no library; but to find that out loads the classes that libraries need.
     Path none = Files.createFile(folder.resolve("none.so"));
     UrbiLaunch.run(new String[] {"--describe", none.toString()}, System.out, System.err);
     List<String> server = new ArrayList<>(List.of("-q", "--port", "0", "--port-file", portFile));

@@ -44,7 +44,7 @@ final class UnixSocketFile implements AutoCloseable {
   /** The most that Linux takes; macOS takes 104. */
   private static final int MAX_BYTES = 107;
 
-  /** Processes that were killed may have left some. */
+  /** After so many names that are taken it gives up; processes that were killed leave theirs. */
   private static final int MAX_FOLDERS = 100;
 
   private static final int TYPE = 0170000;

@@ -39,7 +39,7 @@ final class UrbiProcess extends UrbiObject {
     started = value;
   }
 
-  /** The running program, or what is left of it; null before. */
+  /** The program, also when it has ended; null before it is started. */
   @Nullable Running running() {
     return running;
   }

@@ -110,7 +110,7 @@ final class Motion {
       double step = speed * (now() - last);
       last = now();
       double way = way(current());
-      // From what is no number, there is no way: it goes to the target at once.
+      // From a value that is not a number there is no way: it goes to the target at once.
       set(Math.abs(way) > step ? current() + Math.signum(way) * step : target);
     }
   }

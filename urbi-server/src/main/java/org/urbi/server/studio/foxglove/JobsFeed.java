@@ -53,7 +53,7 @@ final class JobsFeed {
     this.tell = tell;
   }
 
-  /** Begins or ends to look; who begins is told what there is. */
+  /** Begins to tell of jobs, at first of those that there are; or ends it. */
   void follow(boolean on) {
     followed = on;
     changed = true;

@@ -80,7 +80,7 @@ public record Topic(String path, VariableKind kind) {
     return isOfKernel() ? path : "/" + path.replace('.', '/');
   }
 
-  /** Whether it is no variable. */
+  /** Whether it tells of the kernel itself: other topics are variables. */
   private boolean isOfKernel() {
     return path.startsWith("/");
   }

@@ -3,12 +3,12 @@ package org.urbi.ros.uobject;
 import urbi.UObject;
 import urbi.UValue;
 
-/** An object for which something comes from the network. */
-interface Taker {
-  /** The function of {@code Ros} by which the kernel comes to take it. */
+/** An object for which messages come from the network. */
+interface MessageReceiver {
+  /** The function of {@code Ros} that the kernel calls to have them taken. */
   String TAKE = "__take";
 
-  /** Has urbiscript see what has come; called by the kernel. */
+  /** Shows urbiscript what has come; called by the kernel. */
   void take();
 
   /**

@@ -1,7 +1,7 @@
 package org.urbi.builtins;
 
-/** The kernel's classes, which this module knows by name only. */
-final class Kernel {
+/** The names of the kernel's classes, on which this module does not depend. */
+final class KernelClassNames {
   static final String OBJECT = "org.urbi.kernel.object.UrbiObject";
   static final String WORLD = "org.urbi.kernel.object.World";
   static final String FRAME = "org.urbi.kernel.node.Frame";
@@ -16,5 +16,5 @@ final class Kernel {
 
   static final String INDEX_NAME = "LibraryTables";
 
-  private Kernel() {}
+  private KernelClassNames() {}
 }

@@ -8,12 +8,13 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The rows that somebody has been told, so that he is told of changes only. On the kernel thread.
+ * The rows that somebody has been sent, so that only changes are sent from then on. On the kernel
+ * thread.
  *
  * @param <K> by what a row is known
  * @param <R> a record: rows with equal components are the same to people
  */
-final class Told<K, R> {
+final class SentRows<K, R> {
   private final Map<K, R> told = new HashMap<>();
   private final Set<K> present = new HashSet<>();
   private final List<R> changes = new ArrayList<>();
