@@ -1,7 +1,10 @@
 package org.urbi.kernel.observe;
 
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Interpreter;
@@ -20,9 +23,13 @@ import org.urbi.kernel.variable.UrbiUVar;
  */
 record SlotPath(
     Interpreter interpreter, Supplier<? extends List<? extends UrbiObject>> starts, String text) {
+  private static final Predicate<String> IS_NAME =
+      Pattern.compile("[A-Za-z_]\\w*").asMatchPredicate();
+
   /** Whether a text can be a path. */
   static boolean isPath(String text) {
-    return text.matches("[A-Za-z_]\\w*(\\.[A-Za-z_]\\w*)*");
+    // Name by name: an expression for the whole would need a stack as deep as the path is long.
+    return Stream.of(text.split("\\.", -1)).allMatch(IS_NAME);
   }
 
   /** The name of the slot itself. */

@@ -1,0 +1,54 @@
+package org.urbi.kernel.log;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Who gets the lines of a log, and how much of it is shown. */
+class LogTest {
+  private final List<String> log = new ArrayList<>();
+  private final List<String> heard = new ArrayList<>();
+  private final LogLines lines = new LogLines(log::add);
+
+  @Test
+  void listenersHearUntilTheyHaveHeardEnough() {
+    lines.accept("before");
+    Runnable enough = lines.listen(heard::add);
+    lines.accept("meanwhile");
+    enough.run();
+    enough.run();
+    lines.accept("after");
+    assertEquals(List.of("before", "meanwhile", "after"), log);
+    assertEquals(List.of("meanwhile"), heard);
+  }
+
+  /** One that leaves when it hears something, as a connection that is closed does. */
+  @Test
+  void listenerMayLeaveWhileItIsTold() {
+    Runnable[] leave = new Runnable[1];
+    leave[0] =
+        lines.listen(line -> {
+          heard.add("first " + line);
+          leave[0].run();
+        });
+    lines.listen(line -> heard.add("second " + line));
+    lines.accept("a");
+    lines.accept("b");
+    assertEquals(List.of("first a", "second a", "second b"), heard);
+  }
+
+  @Test
+  void levelsHaveNamesAndNumbers() {
+    for (LogLevel each : LogLevel.values()) {
+      assertSame(each, LogLevel.of(each.label()));
+      assertSame(each, LogLevel.of(each.name()));
+      assertSame(each, LogLevel.of(String.valueOf(each.ordinal())));
+    }
+    assertEquals("Debug", LogLevel.DEBUG.label());
+    assertSame(LogLevel.LOG, LogLevel.of("everything"));
+    assertSame(LogLevel.LOG, LogLevel.of(""));
+  }
+}
