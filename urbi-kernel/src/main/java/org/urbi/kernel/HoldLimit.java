@@ -41,7 +41,7 @@ final class HoldLimit {
       return null;
     }
     long most = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
-    return scheduler.limitHolding(most, HeapUsage::free, HeapUsage.all(), holding::tell);
+    return HoldWatchdog.watch(scheduler, most, HeapUsage::free, HeapUsage.all(), holding::tell);
   }
 
   private UrbiException failure(Job job, StopReason why) {

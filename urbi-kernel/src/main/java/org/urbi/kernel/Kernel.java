@@ -119,7 +119,7 @@ public final class Kernel implements AutoCloseable {
     if (builder.tierThreshold > 0) {
       interpreter.setCompiler(new Tier(world, builder.tierThreshold, builder.tierDoubt, log));
     }
-    scheduler.whenQuiet(this::endIfNothingCanWakeIt);
+    scheduler.time().whenQuiet(this::endIfNothingCanWakeIt);
     this.steering = new Steering(scheduler, world.values().voidObject);
     this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
     uobjects

@@ -315,7 +315,10 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   private boolean isBehind(Budget budget) {
     return budget.limit(Resource.OUTPUT) != Budget.UNLIMITED
-        && kernel.scheduler().attempt(() -> !budget.allows(Resource.OUTPUT, client.unread()));
+        && kernel
+            .scheduler()
+            .time()
+            .attempt(() -> !budget.allows(Resource.OUTPUT, client.unread()));
   }
 
   private void show(String bytes) {

@@ -183,7 +183,7 @@ public final class Embedding {
 
   /** Whether a request that comes now is too late, as a replay is told; on the kernel thread. */
   boolean refuses() {
-    return !scheduler.attempt(() -> !isStopping());
+    return !scheduler.time().attempt(() -> !isStopping());
   }
 
   ProgramTasks tasks() {

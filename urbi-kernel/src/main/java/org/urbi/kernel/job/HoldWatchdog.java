@@ -121,6 +121,24 @@ public final class HoldWatchdog {
     this.meter = new MemoryMeter(gauges.allocated, this, scheduler.memory().gate());
   }
 
+  /**
+   * Ends jobs that hold the kernel for longer without letting others run; once, when the kernel has
+   * been started.
+   *
+   * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
+   * @param freeMemory how many bytes of memory are free
+   * @param memory how many bytes of memory there are
+   * @param told called on another thread when that has happened
+   */
+  public static HoldWatchdog watch(
+      Scheduler scheduler, long limit, LongSupplier freeMemory, long memory, Listener told) {
+    JobThread.Factory threads = scheduler.threads();
+    var gauges = new Gauges(threads::processorTime, threads::allocatedBytes, freeMemory, memory);
+    var watchdog = new HoldWatchdog(scheduler, scheduler.machine(), gauges, limit, told);
+    watchdog.start();
+    return watchdog;
+  }
+
   private static long pauseFor(long limit) {
     return Math.clamp(limit / LOOKS, SHORTEST_PAUSE, LONGEST_PAUSE);
   }

@@ -3,20 +3,18 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.trust.Role;
 
 /**
  * A light thread of urbiscript (manual, "Job"). Its stack is that of a virtual thread which the
  * tick loop runs; so a switch is an ordinary call that returns later, from anywhere in the
  * interpreter.
  */
-public final class Job implements Runnable {
+public final class Job extends JobFacts implements Runnable {
   /** What a job does. */
   @FunctionalInterface
   public interface Body {
@@ -24,37 +22,20 @@ public final class Job implements Runnable {
     void run(Job job);
   }
 
-  private final Scheduler scheduler;
   private final Interruptions interruptions;
   private final Body body;
-  private final long number;
-  private final String prefix;
-  private final OnBehalf onBehalf;
-
-  /** Each turn asks for it: found without a look at {@link #onBehalf}. */
-  private final Budget budget;
-
   private final boolean surplus;
   private final @Nullable JobGroup group;
   private final JobThread thread;
-  private boolean daemon;
   private TagScope scope;
   private JobState state = JobState.RUNNABLE;
   private @Nullable ControlFlowException injected;
   private final JobTime time;
-  private Wait wait = Wait.TURN;
-  private @Nullable Place place;
-  private @Nullable Located where;
-  private final long starter;
   private @Nullable List<Runnable> endListeners;
 
   /** The values of the {@linkplain JobLocal variables} that were set for this job. */
   JobLocal.@Nullable Entry locals;
 
-  /** What is measured of it; null while nobody has looked. */
-  TurnMeter.@Nullable Measures measures;
-
-  private @Nullable JobObserver observer;
   private int nestedSends;
   private int nonInterruptible;
   private double priority;
@@ -80,20 +61,15 @@ public final class Job implements Runnable {
       TagScope scope,
       @Nullable JobGroup group,
       long timeShift) {
-    this.scheduler = scheduler;
+    super(scheduler, prefix, lobby);
     this.interruptions = scheduler.interruptions();
     this.body = body;
-    this.number = scheduler.nextNumber();
     Job creator = scheduler.running();
-    this.starter = creator == null ? 0 : creator.number;
-    this.prefix = prefix;
-    this.onBehalf = new OnBehalf(scheduler, lobby);
-    this.budget = onBehalf.budget();
     this.surplus = !onBehalf.admit(creator);
     this.scope = scope;
     this.group = group;
     this.grouped = group == null ? null : new JobList.Link(this);
-    this.thread = scheduler.newThread(this);
+    this.thread = scheduler.threads().create(this);
     this.time = new JobTime(this, scope.frozenDepth(), timeShift);
     scope.add(this);
     if (creator != null && creator.observer != null) {
@@ -104,85 +80,10 @@ public final class Job implements Runnable {
     }
   }
 
-  // ------------------------------------------------------------------ what it is
-
-  public Scheduler scheduler() {
-    return scheduler;
-  }
-
-  /**
-   * A number that no other job of the kernel has; jobs that were started later have greater ones.
-   */
-  public long number() {
-    return number;
-  }
-
-  public String name() {
-    return prefix + "_" + number;
-  }
-
-  /** The lobby for which the job runs, and to which its output goes. */
-  public UrbiObject lobby() {
-    return onBehalf.lobby();
-  }
-
-  /** What it may do, and use, for that lobby. */
-  public OnBehalf onBehalf() {
-    return onBehalf;
-  }
-
-  /** Whether it may do everything. */
-  public boolean isOwner() {
-    return onBehalf.role() == Role.OWNER;
-  }
-
-  /** The budget that it uses: that of its first lobby. */
-  public Budget budget() {
-    return budget;
-  }
-
-  /** Whose turn it is when it runs. */
-  Budget account() {
-    return budget.account();
-  }
-
-  /**
-   * Whether it only waits for somebody to send something, so that it does not keep the kernel
-   * running.
-   */
-  public boolean isDaemon() {
-    return daemon;
-  }
-
-  /** See {@link #isDaemon}. */
-  public void setDaemon(boolean on) {
-    daemon = on;
-  }
+  // ------------------------------------------------------------------ its state
 
   public JobState state() {
     return state;
-  }
-
-  // ------------------------------------------------------------------ for those who look
-
-  /** The number of the job that was running when this one was started; 0 when there was none. */
-  public long starter() {
-    return starter;
-  }
-
-  /** What it waits for. */
-  public Wait waitsFor() {
-    return wait;
-  }
-
-  /** The code in which it lets others run; null when it runs, and when nobody has said. */
-  public @Nullable Place place() {
-    return place;
-  }
-
-  /** What of that code it executes. */
-  public @Nullable Located where() {
-    return where;
   }
 
   /** When it goes on, in nanoseconds of the scheduler; -1 unless it waits for a time. */
@@ -223,16 +124,6 @@ public final class Job implements Runnable {
   }
 
   // ------------------------------------------------------------------ how it runs
-
-  /** Who measures what this job does; usually null. */
-  public @Nullable JobObserver observer() {
-    return observer;
-  }
-
-  /** Sets the observer of this job; null for none. */
-  public void observe(@Nullable JobObserver by) {
-    observer = by;
-  }
 
   /**
    * Java code is about to send a message to urbiscript.
@@ -369,8 +260,10 @@ public final class Job implements Runnable {
     }
   }
 
-  /** Whether the {@code ;} of this job need not look at anything but the others. */
-  boolean hasOnlyOthersToMind() {
+  /**
+   * Whether a {@code ;} of this job only lets others run: nothing has been asked of it meanwhile.
+   */
+  boolean needsNoCheckAtYield() {
     return !isSpecial() && injected == null;
   }
 

@@ -6,9 +6,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
@@ -45,7 +43,6 @@ public final class Scheduler {
   private @Nullable TurnMeter turnMeter;
   private int observers;
   private final SimulationPace pace;
-  private Runnable whenQuiet = () -> {};
   private final MemoryWait memory;
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
@@ -128,6 +125,11 @@ public final class Scheduler {
     return clock;
   }
 
+  /** The real time, which goes on while simulated time stands still. */
+  Clock machine() {
+    return machine;
+  }
+
   /** The journal that records all input from outside. */
   public Journal journal() {
     return journal;
@@ -194,23 +196,6 @@ public final class Scheduler {
     return interruptions;
   }
 
-  /**
-   * Tries to start an activity outside, and returns whether it could. In a replay nothing is
-   * started, and the recorded result is returned.
-   */
-  public boolean attempt(BooleanSupplier beginning) {
-    return journal.ask(beginning::getAsBoolean);
-  }
-
-  /**
-   * Sets an action that runs whenever the kernel is quiet: there is nothing to run, no deadline,
-   * and no activity outside that the kernel has started, so that only a message could bring more.
-   * To be called before the start.
-   */
-  public void whenQuiet(Runnable action) {
-    whenQuiet = action;
-  }
-
   /** How the kernel thread waits for memory. */
   public MemoryWait memory() {
     return memory;
@@ -262,8 +247,8 @@ public final class Scheduler {
     return threads.maximumDepth();
   }
 
-  JobThread newThread(Job job) {
-    return threads.create(job);
+  JobThread.Factory threads() {
+    return threads;
   }
 
   // ------------------------------------------------------------------ jobs
@@ -385,7 +370,7 @@ public final class Scheduler {
         || time.isBusyForLong()) {
       return false;
     }
-    yields.grant(running != null && running.hasOnlyOthersToMind() ? time.grant() : 0);
+    yields.grant(running != null && running.needsNoCheckAtYield() ? time.grant() : 0);
     return true;
   }
 
@@ -424,29 +409,6 @@ public final class Scheduler {
         whenEnded.accept(wrong);
       }
     });
-  }
-
-  /**
-   * Ends jobs that hold the kernel for longer without letting others run; once, when the kernel has
-   * been started.
-   *
-   * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
-   * @param freeMemory how many bytes of memory are free
-   * @param memory how many bytes of memory there are
-   * @param told called on another thread when that has happened
-   */
-  public HoldWatchdog limitHolding(
-      long limit, LongSupplier freeMemory, long memory, HoldWatchdog.Listener told) {
-    HoldWatchdog watch =
-        new HoldWatchdog(
-            this,
-            machine,
-            new HoldWatchdog.Gauges(
-                threads::processorTime, threads::allocatedBytes, freeMemory, memory),
-            limit,
-            told);
-    watch.start();
-    return watch;
   }
 
   /** Whether the loop has ended. */
@@ -521,9 +483,7 @@ public final class Scheduler {
       runEndOfTick();
       time.endEmptyTick();
       if (!stopped && endOfTick.isEmpty()) {
-        if (timers.next() == Long.MAX_VALUE && !inbox.isFilled() && !pace.isReal()) {
-          whenQuiet.run();
-        }
+        time.noteQuiet(inbox);
         if (!stopped && endOfTick.isEmpty()) {
           time.idle(inbox);
         }

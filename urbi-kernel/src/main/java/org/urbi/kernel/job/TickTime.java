@@ -1,5 +1,6 @@
 package org.urbi.kernel.job;
 
+import java.util.function.BooleanSupplier;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.time.Clock;
 
@@ -27,6 +28,7 @@ public final class TickTime {
   private final SimulationPace pace;
   private final boolean counted;
   private final CycleStatistics statistics = new CycleStatistics();
+  private Runnable whenQuiet = () -> {};
   private long now;
   private long before;
   private long cycle;
@@ -66,6 +68,14 @@ public final class TickTime {
       return clock.now();
     }
     return journal.ask(clock::now);
+  }
+
+  /**
+   * Tries to start an activity outside, and returns whether it could. In a replay nothing is
+   * started, and the recorded result is returned.
+   */
+  public boolean attempt(BooleanSupplier beginning) {
+    return journal.ask(beginning::getAsBoolean);
   }
 
   /** When a wait ends that begins now and lasts so many nanoseconds. */
@@ -157,6 +167,22 @@ public final class TickTime {
     yields.reset();
     now = Math.max(now, time);
     return due;
+  }
+
+  /**
+   * Sets an action that runs whenever the kernel is quiet: there is nothing to run, no deadline,
+   * and no activity outside that the kernel has started, so that only a message could bring more.
+   * To be called before the start.
+   */
+  public void whenQuiet(Runnable action) {
+    whenQuiet = action;
+  }
+
+  /** There is nothing to run. */
+  void noteQuiet(Inbox inbox) {
+    if (timers.next() == Long.MAX_VALUE && !inbox.isFilled() && !pace.isReal()) {
+      whenQuiet.run();
+    }
   }
 
   /** Waits for the next deadline or message. */

@@ -204,16 +204,18 @@ public final class PluggedContext implements UContext {
   /** Runs a threaded call for whose result nobody waits; on the kernel thread. */
   void runThreaded(UCallback callback, Runnable call) {
     boolean started =
-        scheduler.attempt(() ->
-            callback.execute(
-                this,
-                () -> {
-                  try {
-                    call.run();
-                  } finally {
-                    scheduler.inbox().post(new Message.ComponentDone());
-                  }
-                }));
+        scheduler
+            .time()
+            .attempt(() ->
+                callback.execute(
+                    this,
+                    () -> {
+                      try {
+                        call.run();
+                      } finally {
+                        scheduler.inbox().post(new Message.ComponentDone());
+                      }
+                    }));
     if (started) {
       scheduler.pace().begin();
     }

@@ -28,7 +28,7 @@ final class ThreadedCall {
       throws Throwable {
     PendingAnswer answer = new PendingAnswer(caller.job(), Wait.COMPONENT);
     Runnable call = () -> run(answer, callback, arguments);
-    if (!caller.job().scheduler().attempt(() -> callback.execute(context, call))) {
+    if (!caller.job().scheduler().time().attempt(() -> callback.execute(context, call))) {
       answer.arrived(Outcome.value(null));
       return null;
     }

@@ -503,7 +503,8 @@ class HoldWatchdogTest {
     loop.machine.step = 1;
     CountDownLatch ended = new CountDownLatch(1);
     loop.start(job -> {
-      loop.scheduler.limitHolding(
+      HoldWatchdog.watch(
+          loop.scheduler,
           1,
           () -> Long.MAX_VALUE,
           Long.MAX_VALUE,

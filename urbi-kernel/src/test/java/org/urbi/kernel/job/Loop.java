@@ -6,8 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
+import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
@@ -69,7 +72,7 @@ final class Loop {
             journal,
             threads,
             told == null ? (job, failure) -> uncaught.add(failure) : told);
-    scheduler.whenQuiet(scheduler::stop);
+    scheduler.time().whenQuiet(scheduler::stop);
   }
 
   /** A message that has something done by the next tick. */
@@ -92,6 +95,24 @@ final class Loop {
   /** An object that can be a lobby, a value, or whatever. */
   UrbiObject object() {
     return world.values().object.cloned();
+  }
+
+  /** A lobby with a budget of its own. */
+  UrbiObject lobby() {
+    return new Lobby(world.values().object.cloneShape());
+  }
+
+  private static final class Lobby extends UrbiObject implements Budgeted {
+    private final Budget budget = new Budget();
+
+    Lobby(Shape shape) {
+      super(shape);
+    }
+
+    @Override
+    public Budget budget() {
+      return budget;
+    }
   }
 
   /** A job under no tag, for no lobby. */

@@ -15,7 +15,6 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
-import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
@@ -23,6 +22,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** Who runs next; and who waits when a round takes too long. A job takes as long as it is told. */
 class RunQueueTest {
   private static final long MILLISECOND = 1_000_000;
+  private static final long LITTLE = MILLISECOND / 10;
 
   private final ManualClock clock = ManualClock.real();
 
@@ -39,21 +39,8 @@ class RunQueueTest {
 
   private final Map<Job, String> names = new HashMap<>();
 
-  private final class Lobby extends UrbiObject implements Budgeted {
-    private final Budget budget = new Budget();
-
-    Lobby() {
-      super(loop.object().cloneShape());
-    }
-
-    @Override
-    public Budget budget() {
-      return budget;
-    }
-  }
-
   private Job job(String name) {
-    Job job = loop.idle(lobbies.computeIfAbsent(name.charAt(0), letter -> new Lobby()));
+    Job job = loop.idle(lobbies.computeIfAbsent(name.charAt(0), letter -> loop.lobby()));
     names.put(job, name);
     return job;
   }
@@ -449,74 +436,50 @@ class RunQueueTest {
     assertTrue(most <= 2 * fewest, "from " + fewest + " to " + most);
   }
 
-  /**
-   * A hundred lobbies want to run for 5 ms each, x for 0.1 ms again and again, once it is known.
-   */
   @Test
   void whoNeedsLittleIsNotToBlame() {
-    Map<String, Integer> last = new HashMap<>();
-    addLobbies('\u4e00', 100);
-    add("x1");
-    for (int i = 0; i < 2000; i++) {
-      queue.beginRound(false);
-      for (Job job = queue.next(); job != null; job = queue.next()) {
-        boolean little = names.get(job).equals("x1");
-        if (little && i > 200) {
-          last.merge("longest", i - last.getOrDefault("x1", i), Math::max);
-          last.put("x1", i);
-        }
-        clock.now += little ? MILLISECOND / 10 : 5 * MILLISECOND;
-        queue.add(job);
-      }
-    }
-    assertTrue(last.get("longest") <= 3, "rounds without x: " + last);
+    assertSoonRunsAgain(100, 5 * MILLISECOND, LITTLE, 200);
   }
 
   /** Now and then the machine does something else while it is the turn of x. */
   @Test
   void whoDoesNotGetTheProcessorIsNotToBlame() {
-    Map<String, Integer> last = new HashMap<>();
-    addLobbies('\u4e00', 100);
-    add("x1");
     worked = 0;
+    assertSoonRunsAgain(100, 5 * MILLISECOND, 20 * MILLISECOND, 500);
+  }
+
+  /** Each of the others has a turn in every 100th round. */
+  @Test
+  void howManyOthersWaitDoesNotMatterToWhoNeedsLittle() {
+    assertSoonRunsAgain(500, MILLISECOND * 6 / 5, LITTLE, 500);
+  }
+
+  /**
+   * So many lobbies always want to run for that long, and x needs little again and again.
+   *
+   * @param fifth how long it takes in each fifth round, even if it does not have the processor
+   * @param known from that round on it never waits long
+   */
+  private void assertSoonRunsAgain(int others, long each, long fifth, int known) {
+    add("x1");
+    addLobbies('\u4e00', others);
+    int before = known;
+    int longest = 0;
     for (int i = 0; i < 2000; i++) {
       queue.beginRound(false);
       for (Job job = queue.next(); job != null; job = queue.next()) {
         boolean little = names.get(job).equals("x1");
-        if (little && i > 500) {
-          last.merge("longest", i - last.getOrDefault("x1", i), Math::max);
-          last.put("x1", i);
-        }
-        long work = little ? MILLISECOND / 10 : 5 * MILLISECOND;
-        worked += work;
-        clock.now += little && i % 5 == 0 ? 20 * MILLISECOND : work;
-        queue.add(job);
-      }
-    }
-    assertTrue(last.get("longest") <= 3, "rounds without x: " + last);
-  }
-
-  /**
-   * Five hundred lobbies always want to run for 1.2 ms, so each has a turn in every 100th round.
-   */
-  @Test
-  void howManyOthersWaitDoesNotMatterToWhoNeedsLittle() {
-    add("x1");
-    addLobbies('\u4e00', 500);
-    int before = 0;
-    int longest = 0;
-    for (int i = 0; i < 3000; i++) {
-      queue.beginRound(false);
-      for (Job job = queue.next(); job != null; job = queue.next()) {
-        boolean little = names.get(job).equals("x1");
-        if (little) {
-          longest = i > 500 ? Math.max(longest, i - before) : 0;
+        if (little && i > known) {
+          longest = Math.max(longest, i - before);
           before = i;
         }
-        clock.now += little ? MILLISECOND / 10 : MILLISECOND * 6 / 5;
+        long work = little ? LITTLE : each;
+        worked += worked == HoldWatchdog.UNKNOWN ? 0 : work;
+        clock.now += little && i % 5 == 0 ? fifth : work;
         queue.add(job);
       }
     }
+    assertTrue(before > 1990, "the last round with x: " + before);
     assertTrue(longest <= 3, "rounds without x: " + longest);
   }
 

@@ -326,9 +326,11 @@ class SchedulerTest {
   @Test
   void theLastThingIsDoneEvenIfTheLoopFails() throws InterruptedException {
     RuntimeException failure = new IllegalStateException();
-    loop.scheduler.whenQuiet(() -> {
-      throw failure;
-    });
+    loop.scheduler
+        .time()
+        .whenQuiet(() -> {
+          throw failure;
+        });
     loop.scheduler.startLoop(wrong -> loop.say("ended by " + wrong)).join();
     assertEquals(List.of(failure), loop.uncaught);
     assertEquals(List.of("ended by " + failure), loop.said);
@@ -337,10 +339,12 @@ class SchedulerTest {
   @Test
   void withoutMemoryTheLoopGoesOn() {
     OutOfMemoryError failure = new OutOfMemoryError();
-    loop.scheduler.whenQuiet(() -> {
-      loop.scheduler.stop();
-      throw failure;
-    });
+    loop.scheduler
+        .time()
+        .whenQuiet(() -> {
+          loop.scheduler.stop();
+          throw failure;
+        });
     loop.start(job -> loop.say("job"));
     assertThrows(AssertionError.class, loop::run);
     assertEquals(List.of(failure), loop.uncaught);
@@ -367,11 +371,13 @@ class SchedulerTest {
               }
             });
     loop.scheduler.inbox().post(new Message.InputEnded(wanting));
-    loop.scheduler.whenQuiet(() -> {
-      loop.say("loop");
-      loop.scheduler.stop();
-      throw failure;
-    });
+    loop.scheduler
+        .time()
+        .whenQuiet(() -> {
+          loop.say("loop");
+          loop.scheduler.stop();
+          throw failure;
+        });
     assertThrows(AssertionError.class, loop::run);
     assertEquals(
         List.of("message", "asked", "job", "asked", "message", "loop", "asked"), loop.said);

@@ -135,10 +135,13 @@ class SchedulerTimeTest {
     Idle idle = new Idle();
     Loop paced = new Loop(idle);
     paced.scheduler.pace().begin();
-    paced.scheduler.whenQuiet(() -> {
-      paced.say("quiet");
-      paced.scheduler.stop();
-    });
+    paced
+        .scheduler
+        .time()
+        .whenQuiet(() -> {
+          paced.say("quiet");
+          paced.scheduler.stop();
+        });
     idle.action =
         () -> {
           paced.machine.now = 5 * SECOND;
@@ -272,25 +275,30 @@ class SchedulerTimeTest {
     Idle idle = new Idle();
     Loop quiet = new Loop(idle);
     idle.action = () -> quiet.say("idle");
-    quiet.scheduler.whenQuiet(() -> {
-      quiet.say("quiet at " + quiet.scheduler.now() / SECOND);
-      if (quiet.said.size() > 3) {
-        quiet.scheduler.stop();
-      } else {
-        quiet.post(() -> quiet.start(job -> quiet.say("job")));
-      }
-    });
+    quiet
+        .scheduler
+        .time()
+        .whenQuiet(() -> {
+          quiet.say("quiet at " + quiet.scheduler.now() / SECOND);
+          if (quiet.said.size() > 3) {
+            quiet.scheduler.stop();
+          } else {
+            quiet.post(() -> quiet.start(job -> quiet.say("job")));
+          }
+        });
     quiet.start(job -> job.sleepUntil(SECOND));
     assertEquals(List.of("idle", "quiet at 1", "idle", "job", "quiet at 1"), quiet.run());
   }
 
   @Test
   void whatIsToBeDoneAtTheEndOfAnEmptyTickIsNotWaitedFor() {
-    loop.scheduler.whenQuiet(() ->
-        loop.scheduler.atEndOfTick(() -> {
-          loop.say("end");
-          loop.scheduler.stop();
-        }));
+    loop.scheduler
+        .time()
+        .whenQuiet(() ->
+            loop.scheduler.atEndOfTick(() -> {
+              loop.say("end");
+              loop.scheduler.stop();
+            }));
     assertEquals(List.of("end"), loop.run());
   }
 
@@ -320,15 +328,18 @@ class SchedulerTimeTest {
             });
     recorded.clock.now = 17;
     assertEquals(17, recorded.scheduler.measure());
-    assertTrue(recorded.scheduler.attempt(() -> true));
-    assertFalse(recorded.scheduler.attempt(() -> false));
+    assertTrue(recorded.scheduler.time().attempt(() -> true));
+    assertFalse(recorded.scheduler.time().attempt(() -> false));
     assertEquals(List.of(17L, true, false), looks);
     assertThrows(
         UncheckedIOException.class,
         () ->
-            recorded.scheduler.attempt(() -> {
-              throw new IllegalArgumentException();
-            }));
+            recorded
+                .scheduler
+                .time()
+                .attempt(() -> {
+                  throw new IllegalArgumentException();
+                }));
   }
 
   @Test
@@ -384,7 +395,7 @@ class SchedulerTimeTest {
                 ticks[0] = 100;
               }
             });
-    replayed.scheduler.whenQuiet(() -> {});
+    replayed.scheduler.time().whenQuiet(() -> {});
     replayed.start(job -> {
       replayed.say("at " + replayed.scheduler.now());
       job.yieldNow();

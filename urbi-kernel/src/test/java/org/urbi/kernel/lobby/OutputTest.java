@@ -37,7 +37,7 @@ class OutputTest {
   }
 
   private void run() throws InterruptedException {
-    scheduler.whenQuiet(scheduler::stop);
+    scheduler.time().whenQuiet(scheduler::stop);
     Thread loop = scheduler.startLoop(failure -> {});
     loop.join();
   }
