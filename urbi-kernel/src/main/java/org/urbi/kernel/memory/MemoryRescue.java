@@ -45,6 +45,10 @@ final class MemoryRescue {
   private boolean told;
   private boolean began;
   private long since;
+
+  /** When that seemed to have succeeded. */
+  private long until;
+
   private boolean relieved;
   private long relievedAt;
 
@@ -83,12 +87,14 @@ final class MemoryRescue {
       each(users, scarce ? SCARCE : NOT_SCARCE);
     }
     if (!scarce) {
+      until = since;
       heap.forget();
       heap.keepReserve();
     }
     if (scarce && heap.isNearlyFull(now)) {
       rescue(users);
     } else if (told) {
+      until = scarce ? worked.getAsLong() : since;
       told = false;
       began = false;
       asked = null;
@@ -163,7 +169,7 @@ final class MemoryRescue {
     if (!began) {
       began = true;
       told = true;
-      since = now;
+      since = now - leftFromBefore(now);
       relievedAt = now;
       relieved = false;
       asked = null;
@@ -180,6 +186,14 @@ final class MemoryRescue {
             && (urgent || !isRelieved())) {
       relieve(users);
     }
+  }
+
+  /**
+   * How long freeing memory has taken before, less than what has passed since: a moment with some
+   * room, which is filled at once, is no success.
+   */
+  private long leftFromBefore(long now) {
+    return Math.max(0, until - since - (now - until));
   }
 
   private boolean isOver(long now) {
@@ -252,6 +266,7 @@ final class MemoryRescue {
     asked = null;
     gaveUp = true;
     gaveUpAt = worked.getAsLong();
+    until = since;
     // Whoever was ended before and fills the memory again is to be ended again.
     each(users, NOT_SCARCE);
     each(users, EXHAUSTED);

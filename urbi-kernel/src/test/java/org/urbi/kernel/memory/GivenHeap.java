@@ -5,6 +5,10 @@ import org.urbi.kernel.outside.Heap;
 /** A heap that is as full as a test says. */
 final class GivenHeap implements Heap {
   boolean full;
+
+  /** Whether it may soon be full again, if it is not. */
+  boolean scarce;
+
   long collecting;
   int collections;
 
@@ -19,7 +23,7 @@ final class GivenHeap implements Heap {
 
   @Override
   public boolean isScarce() {
-    return full;
+    return full || scarce;
   }
 
   @Override

@@ -183,6 +183,38 @@ class MemoryRescueTest {
         events.toString());
   }
 
+  /** Memory is full for so long, then not, again and again, until that is given up. */
+  private String rescueWithPauses(double full, double calm, MemoryUser user) {
+    for (int i = 0; i < 40 && !events.toString().contains("exhausted"); i++) {
+      heap.full = true;
+      run(full, user);
+      heap.full = false;
+      run(calm, user);
+    }
+    return events.toString();
+  }
+
+  /** Each attempt alone ends before it would be given up, so all of them together must. */
+  @Test
+  void momentsWithSomeRoomDoNotProlongTheRescueForEver() {
+    heap.scarce = true;
+    String told = rescueWithPauses(3, 0.5, new Kernel("idle", 0));
+    assertTrue(told.contains("\n27.5 idle exhausted\n"), told);
+  }
+
+  @Test
+  void aRescueThatSucceedsForLongerThanItTakesIsNeverGivenUp() {
+    heap.scarce = true;
+    String told = rescueWithPauses(3, 3.5, new Kernel("idle", 0));
+    assertFalse(told.contains("exhausted"), told);
+  }
+
+  @Test
+  void whatCameBeforeDoesNotMatterWhenMemoryIsFreeAgain() {
+    String told = rescueWithPauses(3, 0.5, new Kernel("idle", 0));
+    assertFalse(told.contains("exhausted"), told);
+  }
+
   /** Nobody asks for a collection when nobody allocates any more. */
   @Test
   void whatWasLeftAsGarbageDoesNotExhaustMemory() {
