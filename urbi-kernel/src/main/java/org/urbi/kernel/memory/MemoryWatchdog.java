@@ -129,9 +129,10 @@ public final class MemoryWatchdog {
 
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
     // A small memory may be full before the first look.
-    boolean prepared = HeapUsage.free() < FAR;
+    MemoryUser[] first = users();
+    boolean prepared = HeapUsage.free() < FAR && first.length > 0;
     if (prepared) {
-      prepare(heap, worked, users()[0]);
+      prepare(heap, worked, first[0]);
     }
     int looks = 0;
     for (MemoryUser[] known = next(rescue); known.length > 0; known = next(rescue)) {
