@@ -1,6 +1,8 @@
 package org.urbi.kernel;
 
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Hint;
@@ -34,9 +36,9 @@ final class ErrorAdvice {
           Map.entry("undefined", "nil"),
           Map.entry("True", "true"),
           Map.entry("False", "false"),
-          Map.entry("len", "size"),
+          Map.entry("len", "list.size"),
           Map.entry("length", "size"),
-          Map.entry("strlen", "size"),
+          Map.entry("strlen", "text.size"),
           Map.entry("append", "list << value"),
           Map.entry("push", "list << value"),
           Map.entry("push_back", "list << value"),
@@ -49,8 +51,17 @@ final class ErrorAdvice {
           Map.entry("include", "load(\"file.u\")"),
           Map.entry("range", "for (var i : 3), 3.seq"));
 
-  /** Where an assignment is looked for: a program may be one long line. */
-  private static final int LOOK_AHEAD = 16;
+  /** How far around a place is looked: a program may be one long line. */
+  private static final int LOOK_AROUND = 16;
+
+  private static final Pattern ASSIGNED = Pattern.compile("\\s*=(?![=>])");
+
+  /** {@code for (x in list)}. */
+  private static final Pattern LOOP = Pattern.compile("\\bfor\\s*\\(\\s*$");
+
+  private static final Pattern MADE = Pattern.compile("\\b(\\w+)\\.new\\b");
+
+  private static final Pattern LOOPED = Pattern.compile("\\s+in\\b");
 
   private final Interpreter interpreter;
   private final UrbiLobby lobby;
@@ -68,25 +79,27 @@ final class ErrorAdvice {
     return Advice.of(found == null ? own : found);
   }
 
-  /** Which failure before this one has caused it, or null. */
-  static @Nullable String cause(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
+  /** The name that the session lacks, if that is what has gone wrong, or null. */
+  static @Nullable String missing(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
     var advice = new ErrorAdvice(interpreter, lobby, thrown);
     return interpreter.errors().is(thrown.value(), ProblemKind.LOOKUP)
             && advice.slot("object") instanceof UrbiLobby
-        ? lobby.failures().causeOf(advice.text("name"), thrown.span())
+        ? advice.text("name")
         : null;
   }
 
   private @Nullable String hint() {
     Errors errors = interpreter.errors();
     UrbiObject value = thrown.value();
-    if (errors.is(value, ProblemKind.LOOKUP)) {
+    if (errors.is(value, ProblemKind.PROPERTY_LOOKUP)) {
+      return null;
+    } else if (errors.is(value, ProblemKind.LOOKUP)) {
       return lookup(text("name"), slot("object"));
     } else if (errors.is(value, ProblemKind.ARITY)) {
       return arity(text("routine"));
     } else if (errors.is(value, ProblemKind.ARGUMENT)) {
       UrbiObject cause = slot("exception");
-      return cause == null ? null : type(slot(cause, "effective"), slot(cause, "expected"));
+      return cause == null ? null : argument(slot(cause, "effective"), slot(cause, "expected"));
     } else if (errors.is(value, ProblemKind.TYPE)) {
       return type(slot("effective"), slot("expected"));
     }
@@ -100,8 +113,16 @@ final class ErrorAdvice {
       return null;
     } else if (asked == interpreter.values().nil) {
       return Hint.ASKED_OF_NIL.text(name);
-    } else if (isAssigned()) {
+    } else if (name.equals("'n")) {
+      String slot = thrown.span() == null ? "x'n" : thrown.span().text();
+      slot = slot.substring(0, slot.length() - (slot.endsWith(name) ? name.length() : 0));
+      return Hint.NO_RANGE.text(slot, slot, slot);
+    } else if (isOfSession(name, asked)) {
+      return Hint.OF_SESSION.text(name, name);
+    } else if (follows(ASSIGNED)) {
       return Hint.UNDECLARED.text(name);
+    } else if (follows(LOOPED) && precedes(LOOP)) {
+      return Hint.FOR_IN.text(name);
     } else if (thrown.span() != null && thrown.span().text().startsWith("'")) {
       return Hint.SINGLE_QUOTES.text();
     } else if (asked instanceof UrbiLobby) {
@@ -110,8 +131,8 @@ final class ErrorAdvice {
         return Hint.LOCAL_NAME.text(name, declared.location());
       }
       return !name.isEmpty() && Character.isUpperCase(name.charAt(0))
-          ? Hint.UNKNOWN_CLASS.text()
-          : Hint.UNKNOWN_NAME.text(name, name);
+          ? Hint.UNKNOWN_CLASS.text(name)
+          : (isCall(name) ? Hint.UNKNOWN_FUNCTION : Hint.UNKNOWN_NAME).text(name, name);
     }
     return name.equals("emit")
         ? Hint.NO_EVENT.text()
@@ -123,16 +144,42 @@ final class ErrorAdvice {
     return type.isEmpty() ? null : Hint.ASKED_OF.text(name, Errors.article(type), type);
   }
 
-  /** Whether {@code =} follows the place, and not {@code ==}. */
-  private boolean isAssigned() {
+  /** Whether the session has a slot of which code has asked another {@code this}. */
+  private boolean isOfSession(String name, UrbiObject asked) {
+    return !(asked instanceof UrbiLobby) && begins(name) && slot(lobby, name) != null;
+  }
+
+  private boolean isCall(String name) {
+    return begins(name + "(");
+  }
+
+  private boolean begins(String text) {
+    return thrown.span() != null && thrown.span().text().startsWith(text);
+  }
+
+  /** Whether the text behind the place begins so. */
+  private boolean follows(Pattern pattern) {
     Span span = thrown.span();
     if (span == null) {
       return false;
     }
     String text = span.source().text();
     int end = Math.min(span.end(), text.length());
-    String next = text.substring(end, Math.min(end + LOOK_AHEAD, text.length())).stripLeading();
-    return next.startsWith("=") && !next.startsWith("==") && !next.startsWith("=>");
+    return pattern
+        .matcher(text.substring(end, Math.min(end + LOOK_AROUND, text.length())))
+        .lookingAt();
+  }
+
+  /** Whether the text before the place ends so. */
+  private boolean precedes(Pattern pattern) {
+    Span span = thrown.span();
+    if (span == null) {
+      return false;
+    }
+    int begin = Math.min(span.begin(), span.source().text().length());
+    return pattern
+        .matcher(span.source().text().substring(Math.max(0, begin - LOOK_AROUND), begin))
+        .find();
   }
 
   private @Nullable String arity(String routine) {
@@ -143,12 +190,32 @@ final class ErrorAdvice {
     if (called instanceof UrbiEvent) {
       return Hint.EMIT.text(routine);
     }
+    if (routine.equals("new")) {
+      return init();
+    }
     if (slot("maximum") instanceof UrbiFloat most && most.value() == 0) {
       return Hint.NO_ARGUMENTS.text(routine);
     }
     return called instanceof Function function
         ? Hint.PARAMETERS.text(routine, function.parameters())
         : null;
+  }
+
+  /** What a class of the session that was to be cloned wants to know. */
+  private @Nullable String init() {
+    Matcher made = MADE.matcher(thrown.span() == null ? "" : thrown.span().text());
+    UrbiObject cloned = made.find() ? slot(lobby, made.group(1)) : null;
+    return cloned != null && slot(cloned, "init") instanceof Function init
+        ? Hint.INIT.text(made.group(1), init.parameters())
+        : null;
+  }
+
+  private @Nullable String argument(@Nullable UrbiObject effective, @Nullable UrbiObject expected) {
+    String routine = text("routine");
+    boolean adds = routine.equals("append") || routine.equals("+=");
+    return adds && expected == interpreter.values().listProto
+        ? Hint.ADD_ELEMENT.text(routine)
+        : type(effective, expected);
   }
 
   private @Nullable String type(@Nullable UrbiObject effective, @Nullable UrbiObject expected) {

@@ -78,6 +78,7 @@ final class ErrorText {
   private static void report(Interpreter interpreter, Job job, UrbiLobby lobby, Throwable failure) {
     Output output = lobby.output();
     switch (failure) {
+      case UrbiException e when isCounted(interpreter, job, lobby, e) -> lobby.failures().add(e);
       case UrbiException e -> {
         String place = isPlaced(interpreter, e.value()) ? Diagnostics.place(e.span()) : "";
         Diagnostics.error(output, place + text(interpreter, job, lobby, e));
@@ -98,13 +99,25 @@ final class ErrorText {
     Diagnostics.explain(output, null, () -> Advice.of(problem.hint().orElse(null)));
   }
 
+  /** Whether people know of its cause, and that it has others. */
+  private static boolean isCounted(
+      Interpreter interpreter, Job job, UrbiLobby lobby, UrbiException thrown) {
+    boolean inTurn = lobby.hasShell() && lobby.shell().runs(job);
+    if (!inTurn || lobby.output().errors() == ErrorStyle.PLAIN) {
+      return false;
+    }
+    String missing = ErrorAdvice.missing(interpreter, lobby, thrown);
+    return missing != null && lobby.failures().counts(missing, thrown.span());
+  }
+
   private static void explain(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
     Output output = lobby.output();
     if (output.errors() == ErrorStyle.PLAIN) {
       return;
     }
     SyntaxError wrong = thrown.syntaxError();
-    String cause = ErrorAdvice.cause(interpreter, lobby, thrown);
+    String missing = ErrorAdvice.missing(interpreter, lobby, thrown);
+    String cause = missing == null ? null : lobby.failures().causeOf(missing, thrown.span());
     if (wrong != null) {
       Diagnostics.explain(output, wrong.span(), () -> SyntaxAdvice.of(wrong));
     } else if (cause != null) {

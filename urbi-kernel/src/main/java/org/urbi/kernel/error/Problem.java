@@ -41,7 +41,8 @@ public enum Problem {
 
   NOT_FOUND(LOOKUP, "lookup failed: {name}"),
   MISSPELLED(LOOKUP, "lookup failed: {name} (possible misspelling of {other})"),
-  PROPERTY_NOT_FOUND(PROPERTY_LOOKUP, "property lookup failed: {name}"),
+  PROPERTY_NOT_FOUND(
+      PROPERTY_LOOKUP, "property lookup failed: {name}", "x->name = value gives a slot a property"),
   REDEFINED(REDEFINITION, "slot redefinition: {name}", "without var, the slot gets another value"),
   CONSTANT(CONSTNESS, "cannot modify const slot", "what is declared const keeps its value"),
   NO_LOCAL_SLOT(WARNING, "no such local slot: {name}"),
@@ -91,18 +92,24 @@ public enum Problem {
 
   DIVISION_BY_ZERO(PRIMITIVE, "division by 0", "check the divisor first: if (x != 0) …"),
   MODULO_BY_ZERO(PRIMITIVE, "modulo by 0", "check the divisor first: if (x != 0) …"),
-  RANGE(PRIMITIVE, "invalid range"),
+  RANGE(PRIMITIVE, "invalid range", "sines and cosines are from -1 to 1"),
   HAS_TO_BE_POSITIVE(PRIMITIVE, "argument has to be positive"),
   MATRIX_TOO_LARGE(PRIMITIVE, "matrix too large"),
   INCOMPATIBLE_SIZES(PRIMITIVE, "incompatible sizes"),
   NOT_A_NUMBER(
       PRIMITIVE, "cannot convert to float: {text}", "numbers are written as 12, -1.5, 1e3, 0xFF"),
   CHARACTER_CODE(PRIMITIVE, "invalid character code: {code}"),
-  EMPTY_STRING(PRIMITIVE, "cannot be applied onto empty string"),
+  EMPTY_STRING(
+      PRIMITIVE,
+      "cannot be applied onto empty string",
+      "if (!text.empty) … looks first whether there is any"),
   REPLACES_EMPTY_STRING(PRIMITIVE, "cannot replace the empty string"),
   STRING_TOO_LONG(PRIMITIVE, "string too long"),
   LIST_TOO_LONG(PRIMITIVE, "list too long"),
-  EMPTY_LIST(PRIMITIVE, "cannot be applied onto empty list"),
+  EMPTY_LIST(
+      PRIMITIVE,
+      "cannot be applied onto empty list",
+      "if (!list.empty) … looks first whether there is any"),
   NOTHING_TO_COMPARE(PRIMITIVE, "list cannot be empty"),
   LISTS_OF_SIZES(PRIMITIVE, "lists must have the same size"),
   TUPLES_OF_SIZES(PRIMITIVE, "tuples must have the same size"),
@@ -130,7 +137,10 @@ public enum Problem {
   TEXT_AFTER_FORMAT(PRIMITIVE, "unexpected text after the format: {text}"),
   TOO_FEW_FOR_FORMAT(
       PRIMITIVE, "too few arguments for format", "each %s takes an element: \"%s %s\" % [1, 2]"),
-  TOO_MANY_FOR_FORMAT(PRIMITIVE, "too many arguments for format"),
+  TOO_MANY_FOR_FORMAT(
+      PRIMITIVE,
+      "too many arguments for format",
+      "each element wants a %s of its own: \"%s %s\" % [1, 2]"),
   NOT_A_DATE(PRIMITIVE, "cannot convert to date: {text}"),
   YEAR(PRIMITIVE, "Year is out of valid range: 1400..9999"),
   PART_OF_DATE(PRIMITIVE, "{field} is out of range {range}"),

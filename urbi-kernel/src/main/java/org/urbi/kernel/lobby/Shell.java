@@ -3,6 +3,7 @@ package org.urbi.kernel.lobby;
 import static java.util.Objects.requireNonNull;
 
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.compile.Compilation;
@@ -37,6 +38,9 @@ import org.urbi.lang.parse.SyntaxWarning;
  * the other, and shows their values and errors.
  */
 public final class Shell {
+  /** Calls behind which nothing can be told. */
+  private static final Set<String> ENDS = Set.of("quit", "reboot", "shutdown");
+
   /** Notifications of the shell to its connection. */
   public interface Listener {
     /** The shell begins, or ceases, to wait for more input. */
@@ -174,6 +178,11 @@ public final class Shell {
     return job().isDaemon();
   }
 
+  /** Whether a job is the one that executes the statements in their turn. */
+  public boolean runs(Job one) {
+    return one == job;
+  }
+
   /** An error was shown to the client. */
   public void failed() {
     listener.failed();
@@ -256,7 +265,10 @@ public final class Shell {
         }
         item.warnings().forEach(this::show);
         if (item instanceof Item.Statement statement) {
-          showSuspicions(statement);
+          if (explains()) {
+            reads(ends(statement.tree()) ? null : statement.tree().span().location().file());
+            showSuspicions(statement);
+          }
           execute(shell, statement);
         } else if (item instanceof Item.Invalid invalid) {
           show(invalid.errors());
@@ -284,8 +296,10 @@ public final class Shell {
       } else if (messages != null && takeNext(shell, messages)) {
         listener.consumed();
       } else if (ended) {
+        reads(null);
         return reader.unfinished();
       } else {
+        reads(null);
         waiting = true;
         shell.setDaemon(true);
         listener.starving(true);
@@ -490,31 +504,50 @@ public final class Shell {
     }
   }
 
-  private void showSuspicions(Item.Statement statement) {
-    if (lobby.output().errors() != ErrorStyle.PLAIN) {
-      for (Note note : SuspectCode.in(statement.tree(), statement.separator())) {
-        Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
-      }
-      lobby.failures().addLocal(LocalDeclarations.in(statement.tree()));
+  /** Whether people look at the output. */
+  private boolean explains() {
+    return lobby.output().errors() != ErrorStyle.PLAIN;
+  }
+
+  private static boolean ends(Ast statement) {
+    return statement instanceof Ast.Message call && ENDS.contains(call.name());
+  }
+
+  private void reads(@Nullable String file) {
+    if (explains()) {
+      lobby.failures().reads(file, lobby.output());
     }
+  }
+
+  private void showSuspicions(Item.Statement statement) {
+    for (Note note : SuspectCode.in(statement.tree(), statement.separator())) {
+      Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
+    }
+    for (Note note : SuspectTags.in(statement.tree(), lobby)) {
+      Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
+    }
+    lobby.failures().addLocal(LocalDeclarations.in(statement.tree()));
   }
 
   private void show(SyntaxWarning warning) {
     if (!WarningChannel.isOff(interpreter.world())) {
       Diagnostics.warning(lobby.output(), Diagnostics.place(warning.span()) + warning.message());
-      Diagnostics.explain(lobby.output(), warning.span(), () -> Advice.of(null));
+      Diagnostics.explain(
+          lobby.output(), warning.span(), () -> Advice.of(warning.problem().hint().orElse(null)));
     }
   }
 
   /** People are told of the first, which may have caused the others. */
   private void show(List<SyntaxError> errors) {
-    boolean all = lobby.output().errors() == ErrorStyle.PLAIN;
-    (all ? errors : errors.subList(0, 1)).forEach(this::show);
+    (explains() ? errors.subList(0, 1) : errors).forEach(this::show);
   }
 
   private void show(SyntaxError error) {
     listener.failed();
     Diagnostics.error(lobby.output(), Diagnostics.place(error.span()) + error.message());
     Diagnostics.explain(lobby.output(), error.span(), () -> SyntaxAdvice.of(error));
+    if (explains()) {
+      lobby.failures().add(error);
+    }
   }
 }

@@ -109,12 +109,25 @@ final class BracketAdvice {
     int first = around.statement(around.at());
     for (int i = around.at(); i >= first; i--) {
       if (WITH_PARENTHESES.contains(around.type(i))) {
+        if (around.is(i, UrbiscriptLexer.FOR) && isOver(around, i)) {
+          return Advice.of(SyntaxHint.LOOP.text());
+        }
         return around.is(i + 1, UrbiscriptLexer.LPAREN) || i == around.at()
             ? null
             : Advice.of(SyntaxHint.PARENTHESES.text(around.text(i), around.text(i)));
       }
     }
     return null;
+  }
+
+  /** {@code for x in list}. */
+  private static boolean isOver(Surroundings around, int loop) {
+    for (int i = loop + 2; i <= Math.min(loop + 4, around.at() + 1); i++) {
+      if (around.text(i).equals("in")) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** {@code catch (var e) echo(e)}, {@code try { … };}, {@code do { … } while (…)}. */

@@ -99,12 +99,7 @@ final class SeparatorAdvice {
     if (!around.is(around.at(), UrbiscriptLexer.SEMICOLON) || open == null || open.mark() == '{') {
       return null;
     }
-    int next = around.at() + 1;
-    boolean lineEnds = around.is(next, Token.EOF) || !around.sameLine(around.at(), next);
     return new Advice(
-        lineEnds
-            ? SyntaxHint.UNCLOSED.text(open.closer())
-            : SyntaxHint.NO_SEMICOLON.text(open.mark()),
-        List.of(BracketAdvice.opened(around, open)));
+        SyntaxHint.NO_SEMICOLON.text(open.closer()), List.of(BracketAdvice.opened(around, open)));
   }
 }

@@ -17,7 +17,8 @@ public enum SyntaxHint {
 
   SEPARATOR("`;' is missing at the end of the statement before it"),
   COMMA("elements and arguments are separated by `,'"),
-  NO_SEMICOLON("inside `{opener}' there are no statements: `,' separates elements and arguments"),
+  NO_SEMICOLON(
+      "`{closer}' is missing before `;', or `,' was meant, as between elements and arguments"),
   TOGETHER("`;' or an operator is missing before it; a modifier is x = 1 time:2s"),
   NOTHING("something is missing between the parentheses of `{word}'"),
   ELSE("`else' directly follows its `if (…) …', without a `;' before it"),
@@ -26,6 +27,7 @@ public enum SyntaxHint {
   // ------------------------------------------------------------------ brackets
 
   PARENTHESES("what belongs to `{word}' stands in parentheses: {word} (…) …"),
+  LOOP("a loop over elements is for (var x : list) …"),
   BLOCK("braces hold what belongs to `{word}': {word} … { … }"),
   CASES("the cases of a switch stand in braces: switch (x) { case 1: … }"),
   CASE_COLON("a `:' follows the value of a case"),

@@ -64,7 +64,9 @@ public enum SyntaxProblem {
   LAZY_CLOSURE(ERROR, "closure cannot be lazy", "its arguments are in parentheses: closure () {}"),
   ARGUMENT_AFTER_LIST(ERROR, "argument after list-argument", "the list-argument comes last"),
   ARGUMENT_WITHOUT_DEFAULT(
-      ERROR, "argument with no default value after arguments with default value"),
+      ERROR,
+      "argument with no default value after arguments with default value",
+      "those with default values come last"),
   UNEXPECTED_KEYWORD(ERROR, "unexpected `{word}'", "at has sync and async"),
   DUPLICATE_KEYWORD(ERROR, "duplicate keyword: `{word}'"),
   INCOMPATIBLE_KEYWORDS(ERROR, "incompatible keywords: `{first}' and `{second}'"),
@@ -77,7 +79,10 @@ public enum SyntaxProblem {
   DEPRECATED_EMIT(WARNING, "`emit event(x)' is deprecated, use `event!(x)'"),
   DEPRECATED_NEW(WARNING, "`new Obj(x)' is deprecated, use `Obj.new(x)'"),
   DEPRECATED_SELF(WARNING, "`self' is deprecated, use `this'"),
-  EMPTY_STATEMENT(WARNING, "implicit empty statement, use `{}'"),
+  EMPTY_STATEMENT(
+      WARNING,
+      "implicit empty statement, use `{}'",
+      "the `;' ends the statement: what it is to do stands before the `;'"),
   MODIFIER_REDEFINED(WARNING, "modifier redefined: {name}");
 
   /** The severity. */

@@ -73,7 +73,7 @@ class UrbiCommandTest {
               3 |   echo(x;
                 |       - opened here
                 |         ^
-                hint: `)' is missing\
+                hint: `)' is missing before `;', or `,' was meant, as between elements and arguments\
             """,
         urbi("-q", "--errors", "explained", script).out());
     assertEquals(place, urbi("-q", "--errors", "plain", script).out());

@@ -1,0 +1,60 @@
+package org.urbi.kernel.lobby;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Hint;
+import org.urbi.kernel.tag.UrbiTag;
+import org.urbi.lang.advice.Note;
+import org.urbi.lang.ast.Ast;
+
+/**
+ * Code that would silently wait or be left out, for a tag is frozen or blocked, as far as a look at
+ * the slots of the lobby tells: no code runs for that.
+ */
+final class SuspectTags {
+  private SuspectTags() {}
+
+  /** What there is to say about a statement that is about to be run. */
+  static List<Note> in(Ast statement, UrbiLobby lobby) {
+    if (statement instanceof Ast.Tagged tagged) {
+      return entered(tagged.tag(), lobby);
+    }
+    return statement instanceof Ast.Message message && message.name().equals("stop")
+        ? stopped(message.target(), lobby)
+        : List.of();
+  }
+
+  /** {@code t: …}. */
+  private static List<Note> entered(Ast tag, UrbiLobby lobby) {
+    UrbiTag named = named(tag, lobby);
+    if (named == null) {
+      return List.of();
+    }
+    String name = tag.span().text();
+    if (named.state().isBlocked()) {
+      return List.of(new Note(tag.span(), Hint.BLOCKED.text(name, name)));
+    }
+    return named.state().isFrozen()
+        ? List.of(new Note(tag.span(), Hint.FROZEN.text(name, name)))
+        : List.of();
+  }
+
+  /** {@code t.stop}. */
+  private static List<Note> stopped(@Nullable Ast tag, UrbiLobby lobby) {
+    UrbiTag named = tag == null ? null : named(tag, lobby);
+    return tag != null && named != null && named.state().isFrozen()
+        ? List.of(
+            new Note(tag.span(), Hint.STILL_FROZEN.text(tag.span().text(), tag.span().text())))
+        : List.of();
+  }
+
+  /** The tag that a plain name stands for, or null. */
+  private static @Nullable UrbiTag named(Ast expression, UrbiLobby lobby) {
+    return expression instanceof Ast.Message name
+            && name.target() == null
+            && name.arguments() == null
+            && lobby.lookup(lobby.world().symbol(name.name())) instanceof UrbiTag tag
+        ? tag
+        : null;
+  }
+}
