@@ -11,6 +11,7 @@ import java.util.Set;
 import javax.annotation.processing.AbstractProcessor;
 import javax.annotation.processing.RoundEnvironment;
 import javax.annotation.processing.SupportedAnnotationTypes;
+import javax.annotation.processing.SupportedOptions;
 import javax.lang.model.SourceVersion;
 import javax.lang.model.element.Element;
 import javax.lang.model.element.TypeElement;
@@ -18,9 +19,11 @@ import javax.tools.Diagnostic;
 
 /**
  * Checks the classes of builtins and writes their tables, and the list of all tables. Invalid
- * declarations are compilation errors at their location.
+ * declarations are compilation errors at their location; so is a builtin without an example in the
+ * {@linkplain ReferenceTexts reference}.
  */
 @SupportedAnnotationTypes("org.urbi.builtins.*")
+@SupportedOptions(ReferenceTexts.OPTION)
 public final class BuiltinProcessor extends AbstractProcessor {
   private final List<Declaration> all = new ArrayList<>();
   private final Map<String, Element> declared = new HashMap<>();
@@ -33,11 +36,13 @@ public final class BuiltinProcessor extends AbstractProcessor {
   @Override
   public boolean process(Set<? extends TypeElement> annotations, RoundEnvironment round) {
     List<Declaration> found = new ArrayList<>();
+    var texts = new ReferenceTexts(processingEnv.getOptions().get(ReferenceTexts.OPTION));
+    var reader = new DeclarationReader(processingEnv, declared, texts);
     for (Element e : round.getElementsAnnotatedWith(UrbiType.class)) {
-      read((TypeElement) e, found);
+      read(reader, (TypeElement) e, found);
     }
     for (Element e : round.getElementsAnnotatedWith(UrbiTypePart.class)) {
-      read((TypeElement) e, found);
+      read(reader, (TypeElement) e, found);
     }
     for (Element e : round.getElementsAnnotatedWith(Builtin.class)) {
       Element owner = e.getEnclosingElement();
@@ -64,8 +69,8 @@ public final class BuiltinProcessor extends AbstractProcessor {
     return false;
   }
 
-  private void read(TypeElement type, List<Declaration> found) {
-    Declaration declaration = new DeclarationReader(processingEnv, declared).read(type);
+  private static void read(DeclarationReader reader, TypeElement type, List<Declaration> found) {
+    Declaration declaration = reader.read(type);
     if (declaration != null) {
       found.add(declaration);
     }

@@ -33,9 +33,13 @@ final class DeclarationReader {
   /** Where each slot is declared, by {@code type.slot}, and each type; shared by all classes. */
   private final Map<String, Element> declared;
 
-  DeclarationReader(ProcessingEnvironment environment, Map<String, Element> declared) {
+  private final ReferenceTexts texts;
+
+  DeclarationReader(
+      ProcessingEnvironment environment, Map<String, Element> declared, ReferenceTexts texts) {
     this.environment = environment;
     this.declared = declared;
+    this.texts = texts;
   }
 
   private void error(Element at, String message) {
@@ -140,6 +144,10 @@ final class DeclarationReader {
     for (String name : names) {
       String slot = type.type + "." + name;
       checkUnique(method, slot + (builtin.setter() ? "=" : ""), "the slot " + slot);
+      String missing = texts.missing(type.type, name);
+      if (missing != null) {
+        error(method, missing);
+      }
     }
     List<? extends VariableElement> parameters = method.getParameters();
     int next = 0;

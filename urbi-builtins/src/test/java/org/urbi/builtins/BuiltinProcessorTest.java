@@ -4,15 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.lang.reflect.Array;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class BuiltinProcessorTest {
   private static final String IMPORTS =
@@ -34,6 +38,55 @@ class BuiltinProcessorTest {
         "@UrbiType(value = \"Number\", doc = \"A number.\") final class NumberType {\n"
             + method
             + "\n}");
+  }
+
+  /** What is said of a class with three builtins, whose reference is a text. */
+  private static List<String> errorsWithReference(Path folder, String text) throws IOException {
+    Files.writeString(folder.resolve("Number.md"), text);
+    Map<String, String> sources = KernelStubs.sources();
+    sources.put(
+        "org.urbi.kernel.library.NumberType",
+        IMPORTS
+            + """
+            @UrbiType(value = "Number", doc = "A number.") final class NumberType {
+              @Builtin(value = {"half", "/2"}, doc = "A half.")
+              static double half(UrbiObject self) { return 1; }
+              @Builtin(doc = "The double.") static double twice(UrbiObject self) { return 2; }
+            }
+            """);
+    return InMemoryCompiler.compile(sources, "-Aurbi.reference=" + folder).errors().stream()
+        .map(error -> error.replace(folder.toString(), "."))
+        .toList();
+  }
+
+  @Test
+  void aBuiltinWithoutAnExampleIsRefused(@TempDir Path folder) throws IOException {
+    String complete =
+        """
+        # Number
+
+        ### `half`, `/2`
+
+        ```urbiscript
+        ### `twice`
+        4.half;
+        ```
+
+        ### `twice`
+
+        ```urbiscript
+        4.twice;
+        ```
+        """;
+    assertEquals(List.of(), errorsWithReference(folder, complete));
+    assertEquals(
+        List.of("4: the reference has no example of `twice': ./Number.md"),
+        errorsWithReference(folder, complete.replaceFirst("(?s)```urbiscript\n4.twice.*", "")));
+    assertEquals(
+        List.of(
+            "3: the reference says nothing of `half': ### `half` in ./Number.md",
+            "3: the reference says nothing of `/2': ### `/2` in ./Number.md"),
+        errorsWithReference(folder, complete.replace("### `half`, `/2`", "## Halves")));
   }
 
   private static void refused(String expected, String method) {

@@ -43,7 +43,7 @@ final class InMemoryCompiler {
   private InMemoryCompiler() {}
 
   /** Compiles sources, given by the qualified names of their classes. */
-  static Output compile(Map<String, String> sources) {
+  static Output compile(Map<String, String> sources, String... options) {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     DiagnosticCollector<JavaFileObject> diagnostics = new DiagnosticCollector<>();
     Map<String, StringWriter> generated = new LinkedHashMap<>();
@@ -54,7 +54,7 @@ final class InMemoryCompiler {
     List<JavaFileObject> units = new ArrayList<>();
     sources.forEach((name, text) -> units.add(new Text(name, text)));
     JavaCompiler.CompilationTask task =
-        compiler.getTask(null, files, diagnostics, List.of(), null, units);
+        compiler.getTask(null, files, diagnostics, List.of(options), null, units);
     task.setProcessors(List.of(new BuiltinProcessor()));
     task.call();
     Map<String, String> generatedTexts = new LinkedHashMap<>();

@@ -37,6 +37,10 @@ class PagesTest {
   /** The pages of the library have examples with a kernel each: LibraryReferenceTest runs them. */
   private static final Path LIBRARY = ROOT.resolve("docs").resolve("library");
 
+  /** Of these texts it makes pages; those about libraries that are loaded are pages like others. */
+  private static final Path LIBRARY_TEXTS =
+      ROOT.resolve("urbi-kernel/src/main/resources/org/urbi/kernel/library/reference");
+
   private static final boolean RENEW = Boolean.getBoolean("renew");
   private static final String ONLY = System.getProperty("page", "");
 
@@ -62,9 +66,12 @@ class PagesTest {
   private static List<Path> files() throws IOException {
     List<Path> files = new ArrayList<>(List.of(ROOT.resolve("README.md")));
     try (Stream<Path> docs = Files.walk(ROOT.resolve("docs"));
-        Stream<Path> examples = Files.walk(ROOT.resolve("examples"))) {
-      Stream.concat(docs, examples)
-          .filter(file -> file.toString().endsWith(".md") && !file.startsWith(LIBRARY))
+        Stream<Path> examples = Files.walk(ROOT.resolve("examples"));
+        Stream<Path> texts = Files.list(LIBRARY_TEXTS)) {
+      Stream.concat(
+              Stream.concat(docs, examples)
+                  .filter(file -> file.toString().endsWith(".md") && !file.startsWith(LIBRARY)),
+              texts.filter(file -> file.toString().endsWith(".u.md")))
           .sorted()
           .forEach(files::add);
     }

@@ -14,7 +14,8 @@ import java.util.stream.Stream;
 
 /**
  * The page of a library that is written in urbiscript, made of the comments that begin with three
- * slashes. A class or function whose comment has two is there for the library alone.
+ * slashes, and of a text with examples. A class or function whose comment has two slashes is there
+ * for the library alone.
  */
 final class ScriptPage {
   private static final Path FOLDER = Path.of("..", "share", "urbi");
@@ -62,12 +63,49 @@ final class ScriptPage {
     return file + ".md";
   }
 
+  /** What is missing in the text with examples, in sentences. */
+  List<String> missing() {
+    List<String> missing = new ArrayList<>();
+    sections.keySet().stream()
+        .filter(name -> !examples().getOrDefault(name, "").contains("```urbiscript\n"))
+        .forEach(name -> missing.add(file + ": no example for " + name));
+    examples().keySet().stream()
+        .filter(name -> !name.isEmpty() && !sections.containsKey(name))
+        .forEach(name -> missing.add(file + ": there is no " + name));
+    return missing;
+  }
+
+  /** What stands below each name in the text with examples; before the first one, below "". */
+  private Map<String, String> examples() {
+    Map<String, String> examples = new LinkedHashMap<>();
+    String text = TypeText.resource(name()).orElse("");
+    for (String part : text.replaceFirst("# .*\n", "## ``\n").split("(?m)^## `")) {
+      int end = part.indexOf("`\n");
+      if (end >= 0) {
+        examples.put(part.substring(0, end), part.substring(end + 2).strip());
+      }
+    }
+    return examples;
+  }
+
   String markdown() {
+    Map<String, String> examples = examples();
     StringBuilder out = new StringBuilder("# urbi/" + file + "\n\n");
     out.append(about().replaceAll("docs/(\\w+\\.md)", "[docs/$1](../$1)"));
     out.append("\n\n`load(\"urbi/").append(file).append("\")` loads it.\n");
-    sections.forEach((name, text) -> out.append("\n## `" + name + "`\n\n").append(text));
+    append(out, examples, "");
+    sections.forEach((name, text) -> {
+      out.append("\n## `" + name + "`\n\n").append(text.toString().stripTrailing()).append('\n');
+      append(out, examples, name);
+    });
     return out.toString();
+  }
+
+  private static void append(StringBuilder out, Map<String, String> examples, String name) {
+    String text = examples.getOrDefault(name, "");
+    if (!text.isEmpty()) {
+      out.append('\n').append(text).append('\n');
+    }
   }
 
   /** The line of the index that leads to it. */
