@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.SynchronousQueue;
@@ -119,6 +120,25 @@ public final class GuardedThreads {
         TimeUnit.MILLISECONDS,
         new SynchronousQueue<>(),
         body -> platform(name + made.getAndIncrement(), body));
+  }
+
+  /**
+   * One thread for one task after the other, as long as there are any. What a task throws is logged
+   * if it was executed without a {@link java.util.concurrent.Future} that keeps it.
+   *
+   * @param kept how long the thread waits for its next task
+   */
+  public ExecutorService inTurn(String name, Duration kept) {
+    ThreadPoolExecutor made =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            kept.toMillis(),
+            TimeUnit.MILLISECONDS,
+            new LinkedBlockingQueue<>(),
+            body -> platform(name, body));
+    made.allowCoreThreadTimeOut(true);
+    return made;
   }
 
   /**

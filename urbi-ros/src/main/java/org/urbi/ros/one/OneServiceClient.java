@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
@@ -28,8 +29,11 @@ final class OneServiceClient implements ServiceClient {
   private final MessageCodec requests;
   private final MessageCodec responses;
   private final Set<TcpRosConnection> open = ConcurrentHashMap.newKeySet();
-  private final Object turn = new Object();
+  private final Executor turns;
+
+  /** Only who has the turn looks at it. */
   private @Nullable TcpRosConnection kept;
+
   private volatile boolean closed;
 
   OneServiceClient(OneNode node, String service, ServiceType type, boolean keepAlive) {
@@ -39,6 +43,7 @@ final class OneServiceClient implements ServiceClient {
     this.keepAlive = keepAlive;
     this.requests = MessageCodec.of(type.request());
     this.responses = MessageCodec.of(type.response());
+    this.turns = keepAlive ? Threads.inTurn("service-client") : Threads.POOL;
   }
 
   /** What a service says of itself: its type, its MD5 sum. */
@@ -81,22 +86,19 @@ final class OneServiceClient implements ServiceClient {
   public CompletableFuture<UDictionary> request(UDictionary request) {
     byte[] bytes = requests.encode(request);
     CompletableFuture<UDictionary> answer = new CompletableFuture<>();
-    Threads.start(
-        "service-client",
-        () -> {
-          try {
-            byte[] response = keepAlive ? askKept(bytes, answer) : askOnce(bytes, answer);
-            answer.complete(responses.decode(response));
-          } catch (IOException e) {
-            answer.completeExceptionally(
-                new RosException(
-                    closed ? service + ": closed" : service + ": " + e.getMessage(), e));
-          } catch (CodecException e) {
-            answer.completeExceptionally(new RosException(service + ": " + e.getMessage(), e));
-          } catch (RuntimeException | Error e) {
-            answer.completeExceptionally(e);
-          }
-        });
+    turns.execute(() -> {
+      try {
+        byte[] response = keepAlive ? askKept(bytes, answer) : askOnce(bytes, answer);
+        answer.complete(responses.decode(response));
+      } catch (IOException e) {
+        answer.completeExceptionally(
+            new RosException(closed ? service + ": closed" : service + ": " + e.getMessage(), e));
+      } catch (CodecException e) {
+        answer.completeExceptionally(new RosException(service + ": " + e.getMessage(), e));
+      } catch (RuntimeException | Error e) {
+        answer.completeExceptionally(e);
+      }
+    });
     return answer;
   }
 
@@ -111,28 +113,26 @@ final class OneServiceClient implements ServiceClient {
 
   /** One after the other, by a connection that may have been broken since it was used last. */
   private byte[] askKept(byte[] request, CompletableFuture<?> answer) throws IOException {
-    synchronized (turn) {
-      if (answer.isDone()) {
-        throw new IOException("nobody waits for the answer any more");
-      }
-      TcpRosConnection before = kept;
-      if (before != null) {
-        try {
-          return ask(before, request, answer);
-        } catch (IOException e) {
-          end(before);
-          kept = null;
-        }
-      }
-      TcpRosConnection connection = connect();
-      kept = connection;
+    TcpRosConnection before = kept;
+    if (before != null && !answer.isDone()) {
       try {
-        return ask(connection, request, answer);
+        return ask(before, request, answer);
       } catch (IOException e) {
-        end(connection);
+        end(before);
         kept = null;
-        throw e;
       }
+    }
+    if (answer.isDone()) {
+      throw new IOException("nobody waits for the answer any more");
+    }
+    TcpRosConnection connection = connect();
+    kept = connection;
+    try {
+      return ask(connection, request, answer);
+    } catch (IOException e) {
+      end(connection);
+      kept = null;
+      throw e;
     }
   }
 
@@ -141,6 +141,9 @@ final class OneServiceClient implements ServiceClient {
     TcpRosConnection connection = TcpRosConnection.to(address.getHost(), address.getPort());
     open.add(connection);
     try {
+      if (closed) {
+        throw new IOException("closed");
+      }
       Map<String, String> header = header(node, service, TypeHash.md5(type));
       header.put(ConnectionHeader.TYPE, type.name().in(Dialect.ROS_1));
       header.put(ConnectionHeader.NO_DELAY, "1");
@@ -149,9 +152,6 @@ final class OneServiceClient implements ServiceClient {
       }
       connection.sendHeader(header);
       checked(connection.readHeader());
-      if (closed) {
-        throw new IOException("closed");
-      }
       return connection;
     } catch (IOException | RuntimeException e) {
       end(connection);

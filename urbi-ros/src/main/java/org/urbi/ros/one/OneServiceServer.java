@@ -47,7 +47,8 @@ final class OneServiceServer implements ServiceServer {
   }
 
   /** Answers the requests of a client until it goes; only one if that is all that it asks for. */
-  void serve(Map<String, String> header, TcpRosConnection connection) throws IOException {
+  void serve(Map<String, String> header, TcpRosConnection connection)
+      throws IOException, InterruptedException {
     String theirs = header.getOrDefault(ConnectionHeader.MD5, "");
     if (!theirs.equals(TypeHash.ANY_MD5) && !theirs.equals(md5)) {
       connection.sendHeader(
@@ -66,17 +67,24 @@ final class OneServiceServer implements ServiceServer {
     if ("1".equals(header.get(ConnectionHeader.PROBE))) {
       return;
     }
-    boolean more = "1".equals(header.get(ConnectionHeader.PERSISTENT));
     clients.add(connection);
     try {
-      do {
+      if ("1".equals(header.get(ConnectionHeader.PERSISTENT))) {
+        Threads.startPrompt("service", () -> answerAll(connection)).join();
+      } else {
         answer(connection, connection.read());
-      } while (more && !closed);
+      }
     } catch (EOFException e) {
       // The usual end.
       return;
     } finally {
       clients.remove(connection);
+    }
+  }
+
+  private void answerAll(TcpRosConnection connection) throws IOException {
+    while (!closed) {
+      answer(connection, connection.read());
     }
   }
 

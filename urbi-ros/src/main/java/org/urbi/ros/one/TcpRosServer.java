@@ -46,6 +46,9 @@ final class TcpRosServer implements AutoCloseable {
     public void serve(Socket peer) throws IOException {
       try (TcpRosConnection connection = new TcpRosConnection(peer)) {
         servePeer(connection);
+      } catch (InterruptedException e) {
+        // The node ends.
+        Thread.currentThread().interrupt();
       }
     }
 
@@ -55,7 +58,7 @@ final class TcpRosServer implements AutoCloseable {
     }
   }
 
-  private void servePeer(TcpRosConnection connection) throws IOException {
+  private void servePeer(TcpRosConnection connection) throws IOException, InterruptedException {
     Map<String, String> header = connection.readHeader();
     String topic = header.get(ConnectionHeader.TOPIC);
     String service = header.get(ConnectionHeader.SERVICE);
