@@ -1,5 +1,6 @@
 package org.urbi.bench.ros;
 
+import java.util.Arrays;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,7 +22,7 @@ import urbi.UValue;
  * Urbi's half of {@code bench/ros}, with the same arguments as {@code native/ros_peer.cc} and
  * {@code native/ros_peer.py}: {@code publish TYPE SIZE SECONDS}, {@code subscribe TYPE SECONDS
  * [WARM]}, {@code serve}, {@code call COUNT}. For {@code bench/ros2}, where {@code ROS_VERSION} is
- * 2, also what {@link TopicBench} has.
+ * 2, also what {@link TopicBench} and {@link StayBench} have.
  */
 public final class RosPeer {
   private static final String TOPIC = "/bench";
@@ -50,6 +51,7 @@ public final class RosPeer {
                 arguments.length > 3 ? Double.parseDouble(arguments[3]) : 1);
         case "serve" -> peer.serve();
         case "call" -> peer.call(Integer.parseInt(arguments[1]));
+        case "stay" -> StayBench.run(node, Arrays.copyOfRange(arguments, 1, arguments.length));
         default -> TopicBench.run(node, arguments);
       }
     }

@@ -18,8 +18,7 @@ import urbi.UDictionary;
 
 /**
  * What {@code bench/ros2} measures of topics: {@code ping SIZE COUNT} and {@code pong}, {@code send
- * SIZE COUNT RATE} and {@code count COUNT}, {@code many TOPICS RATE SECONDS}, {@code find}, {@code
- * stay SECONDS}.
+ * SIZE COUNT RATE} and {@code count COUNT}, {@code many TOPICS RATE SECONDS}, {@code find}.
  */
 final class TopicBench {
   private static final String BYTES = "std_msgs/UInt8MultiArray";
@@ -41,7 +40,6 @@ final class TopicBench {
       case "count" -> bench.count(numbers[0]);
       case "many" -> bench.many(numbers[0], numbers[1], numbers[2]);
       case "find" -> bench.find();
-      case "stay" -> bench.stay(numbers[0]);
       default -> throw new IllegalArgumentException(arguments[0]);
     }
   }
@@ -164,31 +162,5 @@ final class TopicBench {
     node.subscribe("/come", type("std_msgs/String"), RELIABLE, message -> heard.countDown());
     heard.await();
     say("%.0f".formatted((System.nanoTime() - RosPeer.BEGUN) / 1e6));
-  }
-
-  /** Hears and speaks while others come and go, and prints what is left of them each minute. */
-  private void stay(int seconds) throws InterruptedException {
-    Publisher publisher =
-        node.advertise("/stay", type("std_msgs/String"), RELIABLE, new Publisher.Listener() {});
-    node.subscribe("/come", type("std_msgs/String"), RELIABLE, message -> {});
-    UDictionary message = new UDictionary().with("data", "x".repeat(1000));
-    say("ready");
-    long begin = System.nanoTime();
-    for (int i = 0; i < seconds * 100; i++) {
-      publisher.publish(message);
-      waitUntil(begin + (i + 1) * 10_000_000L);
-      if (i % 6000 == 5999) {
-        System.gc();
-        Runtime runtime = Runtime.getRuntime();
-        say(
-            "%d s: %d KB of heap, %d threads, %d nodes, %d topics"
-                .formatted(
-                    (i + 1) / 100,
-                    (runtime.totalMemory() - runtime.freeMemory()) / 1024,
-                    Thread.activeCount(),
-                    node.graph().join().nodes().size(),
-                    node.graph().join().topics().size()));
-      }
-    }
   }
 }
