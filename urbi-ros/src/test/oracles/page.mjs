@@ -48,5 +48,8 @@ const shape = await new Promise((done) => shapes.subscribe(done));
 for (const [name, value] of Object.entries(shape))
   if (name.endsWith('_default')) say('cbor', name.split('_')[0], value.constructor.name, String(value));
 say('cbor', JSON.stringify(shape.basic_types_values));
+const bare = new Topic({ ros, name: '/chatter', messageType: 'std_msgs/String', compression: 'cbor-raw' });
+const { bytes, secs, nsecs } = await new Promise((done) => bare.subscribe(done));
+say('raw', Buffer.from(bytes).toString('hex'), Math.abs(secs + nsecs / 1e9 - Date.now() / 1000) < 60);
 say('ready');
 process.stdin.on('data', () => process.exit(0));

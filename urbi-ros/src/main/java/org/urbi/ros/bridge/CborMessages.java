@@ -30,6 +30,8 @@ final class CborMessages {
   private static final int MAP = 5;
   private static final int TAG = 6;
 
+  private static final long SECOND = 1_000_000_000;
+
   private static final int FALSE = 0xF4;
   private static final int TRUE = 0xF5;
   private static final int NULL = 0xF6;
@@ -41,6 +43,27 @@ final class CborMessages {
 
   /** What tells a client of a message: the operation {@code publish}. */
   static byte[] publication(String topic, UDictionary message, MessageType type) {
+    CborMessages writer = begun(topic);
+    writer.write(message, type);
+    return writer.out.toByteArray();
+  }
+
+  /**
+   * The same with the message as its nodes send it, for clients that read that themselves.
+   *
+   * @param now when it came, in nanoseconds since 1970
+   */
+  static byte[] raw(String topic, byte[] message, long now) {
+    CborMessages writer = begun(topic);
+    writer.head(MAP, 3);
+    writer.time(now / SECOND, now % SECOND);
+    writer.text("bytes");
+    writer.bytes(message);
+    return writer.out.toByteArray();
+  }
+
+  /** The operation {@code publish} up to the message. */
+  private static CborMessages begun(String topic) {
     CborMessages writer = new CborMessages();
     writer.head(MAP, 3);
     writer.text("op");
@@ -48,8 +71,7 @@ final class CborMessages {
     writer.text("topic");
     writer.text(topic);
     writer.text("msg");
-    writer.write(message, type);
-    return writer.out.toByteArray();
+    return writer;
   }
 
   private void write(UDictionary message, MessageType type) {
@@ -98,14 +120,18 @@ final class CborMessages {
       case TIME, DURATION -> {
         UDictionary time = value.udictionaryValue();
         head(MAP, 2);
-        text("secs");
-        whole(number(time.get(Templates.SECONDS)));
-        text("nsecs");
-        whole(number(time.get(Templates.NANOSECONDS)));
+        time(number(time.get(Templates.SECONDS)), number(time.get(Templates.NANOSECONDS)));
       }
       case UINT64 -> head(WHOLE, withoutSign(value.doubleValue()));
       default -> whole((long) value.doubleValue());
     }
+  }
+
+  private void time(long seconds, long nanoseconds) {
+    text("secs");
+    whole(seconds);
+    text("nsecs");
+    whole(nanoseconds);
   }
 
   private static long number(@Nullable UValue value) {

@@ -1,5 +1,6 @@
 package org.urbi.ros.bridge;
 
+import java.nio.ByteBuffer;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,7 +19,8 @@ import urbi.UDictionary;
 final class Topics implements AutoCloseable {
   private static final int MOST = 1000;
   private static final String CBOR = "cbor";
-  private static final List<String> COMPRESSIONS = List.of("none", "png", CBOR);
+  private static final String CBOR_RAW = "cbor-raw";
+  private static final List<String> COMPRESSIONS = List.of("none", "png", CBOR, CBOR_RAW);
 
   private final Node node;
   private final Replies replies;
@@ -191,24 +193,46 @@ final class Topics implements AutoCloseable {
     }
 
     @Override
+    public boolean takes(ByteBuffer sent) {
+      if (!operation.text("compression").equals(CBOR_RAW)) {
+        return false;
+      }
+      if (isDue()) {
+        byte[] bytes = new byte[sent.remaining()];
+        sent.get(bytes);
+        byte[] told = CborMessages.raw(operation.text("topic"), bytes, node.now());
+        replies.publish(told, operation, this);
+      }
+      return true;
+    }
+
+    @Override
     public void received(UDictionary message) {
       MessageType known = type;
-      long now = SteadyClock.nanoseconds();
-      if (known == null || begun && now - next < 0) {
+      if (known == null || !isDue()) {
         return;
       }
-      begun = true;
-      next = now + pause;
+      String name = operation.text("topic");
       if (operation.text("compression").equals(CBOR)) {
-        String name = operation.text("topic");
         replies.publish(CborMessages.publication(name, message, known), operation, this);
         return;
       }
       Map<String, @Nullable Object> out = new LinkedHashMap<>();
       out.put("op", "publish");
-      out.put("topic", operation.text("topic"));
+      out.put("topic", name);
       out.put("msg", JsonMessages.json(message, known));
       replies.publish(out, operation, this);
+    }
+
+    /** Whether the client wants one more already. */
+    private boolean isDue() {
+      long now = SteadyClock.nanoseconds();
+      if (begun && now - next < 0) {
+        return false;
+      }
+      begun = true;
+      next = now + pause;
+      return true;
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.urbi.ros.graph;
 
+import java.nio.ByteBuffer;
 import org.urbi.ros.message.MessageType;
 import urbi.UDictionary;
 
@@ -8,6 +9,16 @@ public interface Subscription extends AutoCloseable {
   /** Who listens; called by threads of the network, one at a time. */
   interface Listener {
     void received(UDictionary message);
+
+    /**
+     * Each message is offered as its publisher has sent it, before it is decoded. The bytes are
+     * only lent.
+     *
+     * @return whether that is all that is wanted of it: {@link #received} does not get it
+     */
+    default boolean takes(ByteBuffer sent) {
+      return false;
+    }
 
     /** The type of the messages is known: at once, or when the first publisher has told it. */
     default void typed(MessageType type) {}

@@ -2,6 +2,7 @@ package org.urbi.ros.one;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.ByteBuffer;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -216,6 +217,11 @@ final class OneSubscription implements Subscription {
       complaint = "";
       while (!ended) {
         byte[] bytes = open.read();
+        synchronized (OneSubscription.this.listener) {
+          if (ended || listener.takes(ByteBuffer.wrap(bytes))) {
+            continue;
+          }
+        }
         UDictionary message;
         try {
           message = codec.decode(bytes);

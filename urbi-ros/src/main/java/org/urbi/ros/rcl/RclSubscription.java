@@ -1,6 +1,7 @@
 package org.urbi.ros.rcl;
 
 import java.lang.foreign.MemorySegment;
+import java.nio.ByteBuffer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.graph.Qos;
@@ -135,6 +136,7 @@ final class RclSubscription implements Subscription {
     }
 
     private void received(byte[] bytes) {
+      if (listener.takes(ByteBuffer.wrap(bytes))) return;
       UDictionary message;
       try {
         message = support.decode(bytes);

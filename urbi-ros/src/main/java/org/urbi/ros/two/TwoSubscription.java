@@ -125,6 +125,7 @@ final class TwoSubscription implements Subscription {
 
     private void received(Sample sample) {
       ByteBuffer bytes = sample.payload();
+      if (listener.takes(bytes.asReadOnlyBuffer())) return;
       UDictionary message;
       try {
         message =

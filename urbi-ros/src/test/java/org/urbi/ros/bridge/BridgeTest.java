@@ -249,6 +249,9 @@ class BridgeTest {
     talks(
         all -> {
           assertEquals(SHAPES, all.stream().filter(each -> each.startsWith("cbor")).toList());
+          assertTrue(
+              all.contains("raw 000100000d00000068656c226c6f0ac3a4e282ac00000000 true"),
+              all::toString);
           pursues();
         },
         "/usr/bin/node",

@@ -1,6 +1,7 @@
 package org.urbi.ros.one;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.Lent;
 import org.urbi.ros.frames.FrameBuffer;
 import org.urbi.ros.frames.FrameListener;
 import org.urbi.ros.frames.Transform;
@@ -128,6 +130,14 @@ class OneNodeTest {
     try (Subscription chatter = node.subscribe("/chatter", null, Qos.DEFAULT, heard)) {
       assertEquals("std_msgs/msg/String", Awaited.next(heard.types).name().toString());
       assertTrue(heard.text().startsWith("hello "));
+      assertEquals(1, chatter.publishers());
+    }
+    Lent lent = new Lent();
+    try (Subscription chatter = node.subscribe("/chatter", null, Qos.DEFAULT, lent)) {
+      String hello = lent.next();
+      // Their length, "hello ".
+      assertTrue(hello.matches("[0-9a-f]{2}00000068656c6c6f20.*"), hello);
+      assertFalse(lent.next().isEmpty());
       assertEquals(1, chatter.publishers());
     }
   }

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.Lent;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Publisher;
@@ -160,14 +161,19 @@ class TwoNodeTest {
             throw new IllegalStateException("on purpose");
           });
       Awaited.next(connected);
+      Lent lent = new Lent();
+      two.subscribe("/urbi/x", string, Qos.DEFAULT, lent);
+      Awaited.next(connected);
       publisher.publish(Templates.of(string).with("data", "hello"));
       assertEquals("hello", Awaited.next(heard.messages).get("data").stringValue());
+      assertTrue(lent.next().startsWith("000100000600000068656c6c6f00"));
       publisher.publish(Templates.of(string).with("data", "hi"));
       assertEquals("hi", Awaited.next(heard.messages).get("data").stringValue());
+      assertTrue(lent.next().startsWith("0001000003000000686900"));
       Awaited.until("/far/two", () -> Awaited.value(one.graph()).nodes().containsKey("/far/two"));
       subscription.close();
       assertTrue(Awaited.next(connected).startsWith("not "));
-      assertEquals(1, publisher.subscribers());
+      assertEquals(2, publisher.subscribers());
     }
   }
 
