@@ -31,7 +31,11 @@ import org.urbi.tests.TestTimeout;
  * of this JVM share two, one flat and one spatial, which end with the JVM.
  */
 final class Browser {
-  private static final int POLL_MILLISECONDS = 100;
+
+  /** Between two questions: little at first, as most is there soon. */
+  private static final long SHORTEST_PAUSE = 10;
+
+  private static final long LONGEST_PAUSE = 100;
   private static final Duration LIMIT = TestTimeout.LONG;
   private static final int LONGEST_TEXT = 3000;
   private static final Pattern STARTED = Pattern.compile("started successfully on port (\\d+)");
@@ -187,20 +191,20 @@ final class Browser {
 
   /** Has the screen of a telephone, and a finger instead of a mouse. */
   void becomeTelephone() throws IOException {
-    emulate("setDeviceMetricsOverride", screen(390, 844, true));
-    emulate("setTouchEmulationEnabled", "\"enabled\":true,\"maxTouchPoints\":2");
+    command("Emulation.setDeviceMetricsOverride", screen(390, 844, true));
+    command("Emulation.setTouchEmulationEnabled", "\"enabled\":true,\"maxTouchPoints\":2");
   }
 
   /** Has a screen as large as a wall. */
   void becomeWall() throws IOException {
-    emulate("setDeviceMetricsOverride", screen(3840, 2160, false));
-    emulate("setTouchEmulationEnabled", "\"enabled\":false");
+    command("Emulation.setDeviceMetricsOverride", screen(3840, 2160, false));
+    command("Emulation.setTouchEmulationEnabled", "\"enabled\":false");
   }
 
   /** Has the window again with which it began. */
   void becomeUsual() throws IOException {
-    emulate("clearDeviceMetricsOverride", "");
-    emulate("setTouchEmulationEnabled", "\"enabled\":false");
+    command("Emulation.clearDeviceMetricsOverride", "");
+    command("Emulation.setTouchEmulationEnabled", "\"enabled\":false");
   }
 
   private static String screen(int width, int height, boolean mobile) {
@@ -208,10 +212,9 @@ final class Browser {
         .formatted(width, height, mobile);
   }
 
-  private void emulate(String command, String parameters) throws IOException {
-    demand(
-        "/goog/cdp/execute",
-        "{\"cmd\":\"Emulation." + command + "\",\"params\":{" + parameters + "}}");
+  /** A command of the protocol of Chromium's developer tools. */
+  private void command(String name, String parameters) throws IOException {
+    demand("/goog/cdp/execute", "{\"cmd\":\"" + name + "\",\"params\":{" + parameters + "}}");
   }
 
   private void demand(String command, String json) throws IOException {
@@ -233,29 +236,28 @@ final class Browser {
             .formatted(x, y));
   }
 
-  /** Draws two fingers apart, in both directions from a place, across. */
+  /**
+   * Draws two fingers apart at a place, to three times their distance. Chromium itself makes the
+   * gesture: after two fingers of {@code /actions} it waits for the end of a touch on each later
+   * page of the tab, and takes a swipe there for the one that goes back to the page before.
+   */
   void spread(int x, int y) throws IOException {
-    demand(
-        "/actions",
-        "{\"actions\":["
-            + finger("one", x - 20, y, x - 70)
-            + ","
-            + finger("other", x + 20, y, x + 70)
-            + "]}");
+    command(
+        "Input.synthesizePinchGesture",
+        "\"x\":%d,\"y\":%d,\"scaleFactor\":3,\"relativeSpeed\":2000,\"gestureSourceType\":\"touch\""
+            .formatted(x, y));
   }
 
   /** Draws a finger across, from a place to another one. */
   void swipe(int x, int y, int to) throws IOException {
-    demand("/actions", "{\"actions\":[" + finger("one", x, y, to) + "]}");
-  }
-
-  private static String finger(String name, int x, int y, int to) {
-    return """
-    {"type":"pointer","id":"%s","parameters":{"pointerType":"touch"},"actions":[
-    {"type":"pointerMove","duration":0,"x":%d,"y":%d},{"type":"pointerDown","button":0},
-    {"type":"pointerMove","duration":50,"x":%d,"y":%d},{"type":"pointerUp","button":0}]}
-    """
-        .formatted(name, x, y, to, y);
+    demand(
+        "/actions",
+        """
+        {"actions":[{"type":"pointer","id":"finger","parameters":{"pointerType":"touch"},"actions":[
+        {"type":"pointerMove","duration":0,"x":%d,"y":%d},{"type":"pointerDown","button":0},
+        {"type":"pointerMove","duration":50,"x":%d,"y":%d},{"type":"pointerUp","button":0}]}]}
+        """
+            .formatted(x, y, to, y));
   }
 
   /** What the body of a function in JavaScript returns, as text. */
@@ -269,7 +271,7 @@ final class Browser {
   String await(String what, String body, Predicate<String> wanted)
       throws IOException, InterruptedException {
     long deadline = System.nanoTime() + LIMIT.toNanos();
-    while (true) {
+    for (long pause = SHORTEST_PAUSE; true; pause = Math.min(2 * pause, LONGEST_PAUSE)) {
       String result = evaluate(body);
       if (wanted.test(result)) {
         return result;
@@ -277,7 +279,7 @@ final class Browser {
       if (System.nanoTime() > deadline) {
         throw new AssertionError(what + ": still " + result + "; the page says:\n" + said());
       }
-      Thread.sleep(POLL_MILLISECONDS);
+      Thread.sleep(pause);
     }
   }
 

@@ -25,12 +25,16 @@ class StudioCodeTest {
   }
 
   private static String press(String host, String key, boolean control) {
+    return press(host, key, control ? "ctrlKey" : "repeat");
+  }
+
+  private static String press(String host, String key, String with) {
     return in(host, ".cm-content")
         + ".dispatchEvent(new KeyboardEvent('keydown', {key: '"
         + key
-        + "', ctrlKey: "
-        + control
-        + ", bubbles: true, cancelable: true}));";
+        + "', "
+        + with
+        + ": true, bubbles: true, cancelable: true}));";
   }
 
   /** Puts a text in the place of all, from the clipboard. */
@@ -65,7 +69,8 @@ class StudioCodeTest {
       stops(browser, page.urbi());
       hasConsole(browser);
       Accessibility.check(browser);
-      completes(browser);
+      completes(browser, CONSOLE);
+      completes(browser, EDITOR);
       editsFiles(browser, folder.resolve("program.u"));
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
     }
@@ -75,6 +80,21 @@ class StudioCodeTest {
     run(browser, "echo(\"grün\"); x + 41;");
     browser.await("what it says", LOG, text -> text.contains("*** grün"));
     browser.await("its value", LOG, text -> text.contains("] 41"));
+    write(browser, EDITOR, "var a = 1000 + 1; a;\n2000 + 2;");
+    assertEquals(
+        "false",
+        browser.evaluate(
+            "const [name, ...others] = "
+                + in(EDITOR, ".cm-line")
+                + ".querySelectorAll('span');"
+                + "return getComputedStyle(name).color === getComputedStyle(name.parentNode).color"),
+        "the word var has a colour of its own");
+    browser.evaluate(press(EDITOR, "Home", "ctrlKey") + press(EDITOR, "End", "shiftKey"));
+    browser.evaluate(press(EDITOR, "Enter", true));
+    browser.await("the selected line", LOG, text -> text.contains("] 1001"));
+    run(browser, "3000 + 3;");
+    String log = browser.await("the next text", LOG, text -> text.contains("] 3003"));
+    assertTrue(!log.contains("2002"), log);
   }
 
   private static void showsErrors(Browser browser) throws Exception {
@@ -114,12 +134,12 @@ class StudioCodeTest {
     assertEquals("6 * 700;", browser.evaluate(text(CONSOLE, ".cm-content")));
   }
 
-  private static void completes(Browser browser) throws Exception {
-    write(browser, EDITOR, "Mutex.loc");
-    browser.evaluate(press(EDITOR, " ", true));
-    String offered = text(EDITOR, ".cm-tooltip-autocomplete");
+  private static void completes(Browser browser, String host) throws Exception {
+    write(browser, host, "Mutex.loc");
+    browser.evaluate(press(host, " ", true));
+    String offered = text(host, ".cm-tooltip-autocomplete");
     browser.await("what may follow", offered, text -> text.contains("lock"));
-    browser.await("what it does", text(EDITOR, ".cm-completionInfo"), text -> text.length() > 9);
+    browser.await("what it does", text(host, ".cm-completionInfo"), text -> text.length() > 9);
   }
 
   private static void editsFiles(Browser browser, Path file) throws Exception {

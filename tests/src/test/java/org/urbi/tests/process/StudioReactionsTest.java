@@ -16,6 +16,7 @@ class StudioReactionsTest {
       var Global.held = []|;
       at (ball?(var n, var name)) held << [n, name];
       at (x > 5) echo("far");
+      whenever (x > 50) echo("gone"),
       counting: every (50ms) 1,
       """;
 
@@ -39,6 +40,7 @@ class StudioReactionsTest {
       page.urbi().send("x = 6;\n");
       browser.await("how often it was", cell("at (x > 5)", 2), "1"::equals);
       browser.await("that it goes on", cell("every (50ms)", 2), t -> Integer.parseInt(t) > 20);
+      assertEquals("x", browser.evaluate(cell("whenever (x > 50)", 1)));
       emits(browser, page.urbi());
       Accessibility.check(browser);
       filters(browser);
@@ -69,7 +71,7 @@ class StudioReactionsTest {
     browser.evaluate(StudioPage.type("#reaction-filter", "BALL"));
     browser.await("only one reaction", count, "1"::equals);
     browser.evaluate(StudioPage.type("#reaction-filter", ""));
-    browser.await("all reactions", count, "3"::equals);
+    browser.await("all reactions", count, "4"::equals);
   }
 
   private static void goesToAnotherRoom(Browser browser, JavaProcess urbi) throws Exception {
@@ -82,7 +84,7 @@ class StudioReactionsTest {
     browser.evaluate("history.go(-2)");
     browser.await("the room of the reactions", shown, "reactions"::equals);
     String rows = "return document.querySelectorAll('#reaction-table tbody tr').length";
-    browser.await("its reactions again", rows, "3"::equals);
+    browser.await("its reactions again", rows, "4"::equals);
     // Who is back before the server has noticed that he was away is not told again what he knows.
     browser.evaluate(
         "document.querySelector('nav a[href=\"#jobs\"]').click();"
@@ -90,6 +92,6 @@ class StudioReactionsTest {
     browser.await("the room of the reactions", shown, "reactions"::equals);
     urbi.send("x = 0; x = 7;\n");
     browser.await("what goes on", cell("at (x > 5)", 2), "2"::equals);
-    assertEquals("3", browser.evaluate(rows));
+    assertEquals("4", browser.evaluate(rows));
   }
 }

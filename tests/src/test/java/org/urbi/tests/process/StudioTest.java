@@ -3,12 +3,19 @@ package org.urbi.tests.process;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.process.JavaProcess.Setting;
 
 /** The studio as its user meets it: a real server, in a real browser. */
 class StudioTest {
+  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
   private static final String PROGRAM =
       """
       var Global.n = 0|;
@@ -16,7 +23,7 @@ class StudioTest {
       waiting: waituntil (n < 0),
       function Global.rest() { sleep(1h) }|;
       resting: rest(),
-      many: for& (3000) sleep(1h),
+      many: for& (10000) sleep(1h),
       """;
 
   private static final String LETTERS =
@@ -66,6 +73,8 @@ class StudioTest {
       seesJobs(browser);
       seesLanes(browser);
       seesCalls(browser);
+      stopsMany(browser);
+      goesBackInTime(browser);
       Accessibility.check(browser);
       fitsAnyScreen(browser);
       steersJobs(browser, urbi);
@@ -80,7 +89,83 @@ class StudioTest {
       browser.await("the loss of the connection", state, "lost"::equals);
       assertEquals(0, urbi.awaitEnd(), urbi::text);
       assertTrue(!urbi.text().contains("internal error"), urbi::text);
+      comesBackAndObserves(browser, page.address(), folder);
     }
+  }
+
+  /** The server is started again, and asks for tokens now. */
+  private static void comesBackAndObserves(Browser browser, String address, Path folder)
+      throws Exception {
+    Set<PosixFilePermission> secret = PosixFilePermissions.fromString("rw-------");
+    Path tokens =
+        Files.createFile(folder.resolve("tokens"), PosixFilePermissions.asFileAttribute(secret));
+    Files.writeString(tokens, "observer 0123456789abcdef visitor\n");
+    String port = address.replaceAll("\\D", "");
+    List<String> words =
+        List.of(
+            "--studio=" + port,
+            "--tokens",
+            tokens.toString(),
+            "--default-role",
+            "owner",
+            "-i",
+            "-e",
+            "patient: sleep(1h),");
+    String connection = StudioPage.text("#connection");
+    String role = StudioPage.text("#role");
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(folder), URBI, words)) {
+      browser.await("the server again", "return !!" + row("sleep"), "true"::equals);
+      assertEquals("live", browser.evaluate(connection));
+      assertEquals("owner", browser.evaluate(role));
+      String button = button(tag("patient"), "Stop");
+      String stop = "return " + tag("patient") + " && " + button + ".disabled";
+      browser.await("what may be stopped", stop, "false"::equals);
+      browser.open(address + "?token=0123456789abcdef");
+      browser.await("the role", role, "observer"::equals);
+      assertEquals(address, browser.evaluate("return location.href"));
+      browser.await("what may not be stopped", stop, "true"::equals);
+      browser.evaluate("location.hash = 'variables'");
+      String record = "return document.querySelector('#record')?.disabled";
+      browser.await("what may not be recorded", record, "true"::equals);
+      browser.open(address + "?token=fedcba9876543210");
+      browser.await("why not", connection, text -> text.contains("wrong token"));
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+  }
+
+  /** Two fingers show less of the time, one goes back; a touch tells what happened there. */
+  private static void goesBackInTime(Browser browser) throws Exception {
+    String place =
+        """
+        const {left, top, width, height} = document.querySelector('#lanes').getBoundingClientRect();
+        const {top: above, height: high} = %s.getBoundingClientRect();
+        return Math.round(%%s);
+        """
+            .formatted(row("every"));
+    int right = Integer.parseInt(browser.evaluate(place.formatted("left + width - 8")));
+    int counting = Integer.parseInt(browser.evaluate(place.formatted("above + high / 2")));
+    String told =
+        "document.querySelector('#list').dispatchEvent(new PointerEvent('pointermove', {clientX: %d, clientY: %d}));"
+                .formatted(right, counting)
+            + StudioPage.text("#turn");
+    browser.await("what it did", told, text -> text.matches(".* ran for .* waited for time"));
+    int x = Integer.parseInt(browser.evaluate(place.formatted("left + width / 2")));
+    int y = Integer.parseInt(browser.evaluate(place.formatted("top + height / 2")));
+    browser.spread(x, y);
+    String span = "return Number(document.querySelector('#lanes').dataset.span)";
+    browser.await("less of the time", span, now -> Double.parseDouble(now) < 30_000);
+    browser.swipe(x, y, x + 50);
+    String end = StudioPage.text("#to");
+    browser.await("earlier times", end, text -> text.endsWith(" s ago"));
+    String paused = "return document.querySelector('#pause').getAttribute('aria-pressed')";
+    assertEquals("true", browser.evaluate(paused));
+    browser.evaluate("document.querySelector('#pause').click()");
+    browser.await("the present", end, "now"::equals);
+    String press =
+        "document.querySelector('#list').dispatchEvent(new KeyboardEvent('keydown', {key: '-'}));";
+    browser.evaluate(press.repeat(9));
+    browser.await("all of it", span, "60000"::equals);
   }
 
   private static void seesJobs(Browser browser) throws Exception {
@@ -90,9 +175,9 @@ class StudioTest {
     browser.await("the one that counts", "return " + row("every") + "?" + state, "time"::equals);
     String count =
         "return Number(document.querySelector('#count').textContent.replace(/\\D/g, ''))";
-    browser.await("all jobs", count, text -> Integer.parseInt(text) > 3000);
+    browser.await("all jobs", count, text -> Integer.parseInt(text) > 10000);
     String rows = browser.evaluate("return document.querySelectorAll('.row').length");
-    assertTrue(Integer.parseInt(rows) < 100, rows + " rows of 3000 jobs are in the document");
+    assertTrue(Integer.parseInt(rows) < 100, rows + " rows of 10000 jobs are in the document");
     assertEquals("true", browser.evaluate("return document.body.scrollWidth <= innerWidth"));
   }
 
@@ -135,6 +220,13 @@ class StudioTest {
     browser.await("usual letters", LETTERS, "15"::equals);
   }
 
+  private static void stopsMany(Browser browser) throws Exception {
+    browser.evaluate(button(tag("many"), "Stop") + ".click()");
+    String count =
+        "return Number(document.querySelector('#count').textContent.replace(/\\D/g, ''))";
+    browser.await("the end of many jobs", count, text -> Integer.parseInt(text) < 20);
+  }
+
   private static void steersJobs(Browser browser, JavaProcess urbi) throws Exception {
     browser.evaluate(button("document.querySelector('#job')", "Stop") + ".click()");
     String detail = "return document.querySelector('#job').textContent";
@@ -142,6 +234,8 @@ class StudioTest {
     browser.evaluate(button(tag("counting"), "Freeze") + ".click()");
     browser.await(
         "the tag", "return " + tag("counting") + ".textContent", t -> t.contains("frozen"));
+    String state = "return " + row("every") + "?.querySelector('.state').textContent";
+    browser.await("its job", state, "frozen"::equals);
     urbi.send("var a = n| sleep(50ms)| [a == n];\n");
     urbi.awaitText("[true]");
     browser.evaluate(button(tag("counting"), "Unfreeze") + ".click()");
@@ -150,10 +244,6 @@ class StudioTest {
     browser.evaluate(button(tag("counting"), "Block") + ".click()");
     browser.await(
         "the tag", "return " + tag("counting") + ".textContent", t -> t.contains("blocked"));
-    browser.evaluate(button(tag("many"), "Stop") + ".click()");
-    String count =
-        "return Number(document.querySelector('#count').textContent.replace(/\\D/g, ''))";
-    browser.await("the end of many jobs", count, text -> Integer.parseInt(text) < 20);
   }
 
   private static void usesKeysAlone(Browser browser) throws Exception {

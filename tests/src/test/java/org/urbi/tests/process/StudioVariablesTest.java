@@ -3,6 +3,8 @@ package org.urbi.tests.process;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,6 +19,7 @@ class StudioVariablesTest {
       motor.speed->rangemin = -10|; motor.speed->rangemax = 10|;
       var Global.x = 0|; var Global.y = 100|;
       var Global.image = Binary.new("rgb 2 1", "\\xff\\x00\\x00\\x00\\xff\\x00")|;
+      var Global.sound = Binary.new("wav", "RIFF")|;
       at (motor.speed > 5) echo("fast");
       counting: every (20ms) { Global.x = (x + 1) % 50 },
       """;
@@ -47,6 +50,8 @@ class StudioVariablesTest {
       slides(browser, page.urbi());
       plots(browser);
       seesAnImage(browser);
+      hearsASound(browser);
+      records(browser, page.urbi(), folder);
       Accessibility.check(browser);
       vanishes(browser, page.urbi());
       assertEquals("true", browser.evaluate("return document.body.scrollWidth <= innerWidth"));
@@ -70,6 +75,10 @@ class StudioVariablesTest {
   private static void slides(Browser browser, JavaProcess urbi) throws Exception {
     browser.evaluate(line("Global .motor .speed") + ".click()");
     browser.await("who reads it", facts(), text -> text.contains("motor.speed > 5"));
+    String written = browser.evaluate("return " + line("Global .motor .speed") + ".textContent");
+    assertTrue(written.endsWith(" ago") || written.endsWith("now"), written);
+    String proto = "return " + line("Global .motor :0") + ".textContent";
+    assertTrue(browser.evaluate(proto).contains("Motor"), "the prototype is below the object");
     String limits = "const s = document.querySelector('#slot-slider'); return s.min + s.max";
     browser.await("its limits", limits, "-1010"::equals);
     browser.evaluate(StudioPage.type("#slot-slider", "8"));
@@ -101,10 +110,14 @@ class StudioVariablesTest {
     String frozen = browser.evaluate(points);
     browser.await("later values", facts(), text -> !text.isEmpty());
     assertEquals(frozen, browser.evaluate(points));
-    String save =
-        "HTMLAnchorElement.prototype.click = function() { window.saved = this.href };"
-            + "document.querySelector('#plot-csv').click(); return window.saved";
-    assertTrue(browser.evaluate(save).startsWith("blob:"), "there is a file to save");
+    browser.evaluate(
+        "HTMLAnchorElement.prototype.click = () => {};"
+            + "URL.createObjectURL = (file) => { file.text().then(text => window.saved = text) };"
+            + "document.querySelector('#plot-csv').click()");
+    browser.await(
+        "a file to save",
+        "return window.saved",
+        text -> text.matches("(?s)time,\\\\\"Global.x.*speed.*[\\d.]+,\\d+,8.*"));
     browser.evaluate("document.querySelector('#plotted button').click()");
     String plotted = "return document.querySelectorAll('#plotted li').length";
     assertEquals("1", browser.evaluate(plotted));
@@ -134,6 +147,29 @@ class StudioVariablesTest {
         return canvas && [...canvas.getContext('2d').getImageData(0, 0, 2, 1).data].join(' ');
         """,
         "255 0 0 255 0 255 0 255"::equals);
+  }
+
+  private static void hearsASound(Browser browser) throws Exception {
+    browser.evaluate(line("Global .sound") + ".click()");
+    String source = "return document.querySelector('#slot-media audio[controls]')?.src";
+    browser.await("a player", source, "data:audio/wav;base64,UklGRg=="::equals);
+  }
+
+  private static void records(Browser browser, JavaProcess urbi, Path folder) throws Exception {
+    String button = "document.querySelector('#record')";
+    String state = StudioPage.text("#record-state");
+    browser.evaluate(button + ".click()");
+    String said = browser.await("a recording", state, text -> text.startsWith("records to "));
+    Path file = folder.resolve(said.substring("records to ".length()));
+    assertEquals("Stop recording", browser.evaluate(StudioPage.text("#record")));
+    urbi.send("motor.speed = 7;\n");
+    browser.await("what is recorded", value("Global .motor .speed"), "7"::equals);
+    browser.evaluate(button + ".click()");
+    browser.await("its end", state, text -> text.endsWith(" has ended"));
+    String bytes = Files.readString(file, StandardCharsets.ISO_8859_1);
+    String magic = "\u0089MCAP0\r\n";
+    assertTrue(bytes.startsWith(magic) && bytes.endsWith(magic), "it is complete");
+    assertTrue(bytes.contains("/motor/speed"), bytes);
   }
 
   private static void vanishes(Browser browser, JavaProcess urbi) throws Exception {

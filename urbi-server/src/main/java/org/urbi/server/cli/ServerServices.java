@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.library.system.HostServices;
 import org.urbi.server.options.Failure;
+import org.urbi.server.studio.RecordedFile;
 import org.urbi.server.studio.StudioServer;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.mcap.McapRecorder;
@@ -18,6 +19,7 @@ import org.urbi.web.Annexes;
 /** What one run of {@code urbi} does besides its consoles: the studio, and files of variables. */
 final class ServerServices implements HostServices, AutoCloseable {
   private final Settings settings;
+  private final RecordedFile recorded = new RecordedFile();
   private @Nullable Kernel kernel;
   private @Nullable StudioServer studio;
   private @Nullable McapRecorder recorder;
@@ -67,6 +69,7 @@ final class ServerServices implements HostServices, AutoCloseable {
             settings.shown(),
             new Folders(Path.of(""), settings.access().userDirectory()),
             Annexes.of(served.uobjects()),
+            recorded,
             settings.trace());
     settings.trace().log("studio: " + opened.url());
     studio = opened;
@@ -76,17 +79,25 @@ final class ServerServices implements HostServices, AutoCloseable {
   @Override
   public synchronized void startMcap(Path file) throws IOException {
     McapRecorder present = recorder;
-    if (present != null) {
+    if (present != null && present.goesOn()) {
       throw new IOException("variables are being recorded already, to " + present.path());
     }
-    Kernel recorded = kernel();
+    Kernel observed = kernel();
+    endRecording();
     try {
-      recorder =
+      McapRecorder begun =
           new McapRecorder(
               file,
-              client -> recorded.connect(client, false),
+              client -> observed.connect(client, false),
               settings.shown().paths(),
-              settings.trace()::log);
+              settings.trace()::log,
+              () -> recorded.change(""));
+      recorder = begun;
+      recorded.change(file.toString());
+      // The disk may have ended it before that was told.
+      if (!begun.goesOn()) {
+        recorded.change("");
+      }
     } catch (IOException e) {
       String reason =
           e instanceof NoSuchFileException ? "no such directory" : String.valueOf(e.getMessage());
@@ -96,12 +107,10 @@ final class ServerServices implements HostServices, AutoCloseable {
 
   @Override
   public synchronized void stopMcap() throws IOException {
-    McapRecorder present = recorder;
-    if (present == null) {
+    if (recorder == null) {
       throw new IOException("no variables are being recorded");
     }
-    recorder = null;
-    present.close();
+    endRecording();
   }
 
   /** Completes the file of variables, if there is one. */
@@ -109,6 +118,7 @@ final class ServerServices implements HostServices, AutoCloseable {
     if (recorder != null) {
       recorder.close();
       recorder = null;
+      recorded.change("");
     }
   }
 

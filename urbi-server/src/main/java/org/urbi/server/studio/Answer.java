@@ -55,6 +55,11 @@ final class Answer {
         });
   }
 
+  /** To which file variables are being recorded; empty if to none. */
+  static String recording(String file) {
+    return object("recording", out -> out.writeStringField("file", file));
+  }
+
   /**
    * Some text for people: an {@code error}, the reason for which it was {@code refused}, {@code
    * output}.

@@ -42,6 +42,7 @@ public final class StudioServer implements AutoCloseable {
    * @param shown what programs that speak Foxglove's protocol are shown, and who they may be
    * @param folders the files that people edit
    * @param annexes the pages of the components in this server
+   * @param recorded to which file variables are being recorded
    * @throws IOException if it cannot listen there, or TLS cannot be had; the message says why
    */
   public StudioServer(
@@ -51,6 +52,7 @@ public final class StudioServer implements AutoCloseable {
       Shown shown,
       Folders folders,
       Annexes annexes,
+      RecordedFile recorded,
       Trace trace)
       throws IOException {
     this.accessPolicy = accessPolicy;
@@ -69,7 +71,7 @@ public final class StudioServer implements AutoCloseable {
           address,
           tls,
           PAGE,
-          () -> new Viewer(admission, lobbies, syntax, folders, fileWorker, annexes),
+          () -> new Viewer(admission, lobbies, syntax, folders, fileWorker, annexes, recorded),
           programs,
           new Entrance(annexes, annex -> new AnnexGate(admission, annex)));
     } catch (IOException e) {

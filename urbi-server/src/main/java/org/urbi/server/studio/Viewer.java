@@ -6,10 +6,12 @@ import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketFrame;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -45,7 +47,8 @@ final class Viewer extends StreamHandler {
   private final Folders folders;
   private final Worker fileWorker;
   private final Annexes annexes;
-  private Runnable notListening = () -> {};
+  private final RecordedFile recorded;
+  private final List<Runnable> notListening = new ArrayList<>();
   private @Nullable Connection connection;
   private @Nullable Sampler sampler;
   private @Nullable CodeDesk desk;
@@ -60,13 +63,15 @@ final class Viewer extends StreamHandler {
       SyntaxCheck syntax,
       Folders folders,
       Worker fileWorker,
-      Annexes annexes) {
+      Annexes annexes,
+      RecordedFile recorded) {
     super(admission, MOST_REQUESTS);
     this.lobbies = lobbies;
     this.syntax = syntax;
     this.folders = folders;
     this.fileWorker = fileWorker;
     this.annexes = annexes;
+    this.recorded = recorded;
   }
 
   // ------------------------------------------------------------------ who it is
@@ -86,8 +91,8 @@ final class Viewer extends StreamHandler {
     files = new FileDesk(channel, connection, role, folders, fileWorker);
     List<String> keywords = Keywords.all().stream().sorted().toList();
     send(channel, Answer.hello(role.text(), Version.number(), keywords));
-    notListening = annexes.listen(() -> send(channel, Answer.worlds(annexes.all())));
-    send(channel, Answer.worlds(annexes.all()));
+    tell(annexes::listen, () -> send(channel, Answer.worlds(annexes.all())));
+    tell(recorded::listen, () -> send(channel, Answer.recording(recorded.name())));
     look(channel);
   }
 
@@ -97,6 +102,12 @@ final class Viewer extends StreamHandler {
   }
 
   // ------------------------------------------------------------------ what it is told
+
+  /** Tells something now, and whenever it has changed. */
+  private void tell(UnaryOperator<Runnable> listen, Runnable telling) {
+    notListening.add(listen.apply(telling));
+    telling.run();
+  }
 
   /** Asks the kernel what has changed, unless the browser has not read what it was told before. */
   private void look(Channel channel) {
@@ -216,7 +227,7 @@ final class Viewer extends StreamHandler {
 
   @Override
   protected void left() {
-    notListening.run();
+    notListening.forEach(Runnable::run);
     connection().close();
   }
 }

@@ -1,10 +1,13 @@
 // The room of the jobs: the list with its lanes, the selected job, the tags.
+import { set } from "./elements.js";
 import { JobList } from "./joblist.js";
+import { LanePointer } from "./lane-pointer.js";
 import { Lanes } from "./lanes.js";
 import { Side } from "./side.js";
 
 const MOST_TRACED = 64;
 const TELL_AFTER = 100;
+const POINT = "Draw across the lanes to go back, two fingers or Ctrl and the wheel show less or more; a turn tells of itself.";
 const KINDS = ["running", "time", "event", "condition", "jobs", "lock", "signal", "file", "frozen"];
 
 const PAGE = `
@@ -18,17 +21,18 @@ const PAGE = `
       <label><span>lanes</span>
         <select id="span" aria-label="How much time the lanes show">
           <option value="60000">1 min</option><option value="10000">10 s</option>
-          <option value="1000">1 s</option><option value="100">0.1 s</option>
+          <option value="1000">1 s</option><option value="100">0.1 s</option><option id="span-other" hidden></option>
         </select>
       </label>
       <button id="pause" type="button" aria-pressed="false">Pause</button>
     </div>
-    <div class="columns" aria-hidden="true"><span>code</span><span>waits for</span><span>share</span><span class="axis"><i id="from">1 min ago</i><i>now</i></span></div>
+    <div class="columns" aria-hidden="true"><span>code</span><span>waits for</span><span>share</span><span class="axis"><i id="from">1 min ago</i><i id="to">now</i></span></div>
     <div id="list" role="tree" tabindex="0" aria-labelledby="jobs-title">
       <div id="rows"><canvas id="lanes" role="img" aria-label="When each job ran, and what it waited for"></canvas></div>
       <p id="empty" hidden>No such job.</p>
     </div>
     <p class="legend" id="legend"></p>
+    <p id="turn" class="hint" role="status"></p>
   </section>
   <aside>
     <section class="card" id="detail" aria-labelledby="detail-title">
@@ -40,6 +44,11 @@ const PAGE = `
       <ul id="taglist"></ul>
     </section>
   </aside>`;
+
+function seconds(milliseconds) {
+  if (milliseconds === 60000) return "1 min";
+  return `${Number((milliseconds / 1000).toPrecision(3))} s`;
+}
 
 export class Room {
   constructor(studio, host) {
@@ -67,6 +76,7 @@ export class Room {
     });
     this.legend();
     this.listen();
+    this.find("turn").textContent = POINT;
   }
 
   legend() {
@@ -87,20 +97,39 @@ export class Room {
     });
     this.find("span").addEventListener("change", (event) => {
       this.lanes.span = Number(event.target.value);
-      this.find("from").textContent = `${event.target.selectedOptions[0].textContent} ago`;
       this.redraw();
     });
-    this.find("pause").addEventListener("click", (event) => {
-      const on = this.lanes.paused === null;
-      this.lanes.pause(on);
-      event.target.setAttribute("aria-pressed", on);
+    this.find("pause").addEventListener("click", () => {
+      this.lanes.pause(this.lanes.paused === null);
       this.redraw();
+    });
+    new LanePointer(this.find("list"), this.find("lanes"), this.lanes, {
+      changed: () => this.redraw(),
+      told: (text) => set(this.find("turn"), text || POINT),
     });
     this.find("list").addEventListener("scroll", () => {
       this.redraw();
       this.soon();
     });
     window.addEventListener("resize", () => this.rearrange());
+  }
+
+  // Which part of the time the lanes show: any that somebody has drawn there.
+  tellTime() {
+    const { span, paused } = this.lanes;
+    const other = this.find("span-other");
+    const offered = [...this.find("span").options].find((option) => option !== other && Number(option.value) === span);
+    if (!offered) {
+      other.value = span;
+      set(other, seconds(span));
+    }
+    other.hidden = Boolean(offered);
+    const shown = offered ?? other;
+    if (!shown.selected) shown.selected = true;
+    const left = paused === null ? 0 : this.jobs.now() - paused;
+    set(this.find("from"), `${seconds(span + left)} ago`);
+    set(this.find("to"), left ? `${seconds(left)} ago` : "now");
+    this.find("pause").setAttribute("aria-pressed", paused !== null);
   }
 
   show() {
@@ -171,6 +200,7 @@ export class Room {
     if (!this.shown) return;
     this.list.draw();
     this.lanes.draw();
+    this.tellTime();
     this.side.showJob(this.selected, this.detail);
     this.side.showTags();
     this.find("empty").hidden = this.list.lines.length > 0 || !this.jobs.machine;

@@ -4,6 +4,10 @@ import { Jobs } from "./jobs.js";
 
 const LANE = 0.875;
 const THIN = 0.1875;
+const LONGEST = 60000;
+const SHORTEST = 10;
+// How far from a turn somebody may point who means it.
+const NEAR = 4;
 // Lines that are higher have the lane below the code.
 const HIGH = 3;
 
@@ -12,7 +16,8 @@ export class Lanes {
     this.canvas = canvas;
     this.list = list;
     this.jobs = jobs;
-    this.span = 60000;
+    // How much time is in sight, in milliseconds, and the time at its end; null for now.
+    this.span = LONGEST;
     this.paused = null;
   }
 
@@ -36,6 +41,57 @@ export class Lanes {
     this.paused = on ? this.jobs.now() : null;
   }
 
+  end() {
+    return this.paused ?? this.jobs.now();
+  }
+
+  // The time at a pixel.
+  at(x) {
+    return this.end() - this.span * (1 - x / this.canvas.clientWidth);
+  }
+
+  // Goes to earlier times, by pixels, within the last minute; who comes back to its end is there to stay.
+  pan(pixels) {
+    const now = this.jobs.now();
+    const earliest = Math.min(now - LONGEST + this.span, this.end());
+    const end = Math.max(this.end() - (pixels * this.span) / this.canvas.clientWidth, earliest);
+    this.paused = end < now ? end : null;
+  }
+
+  // Shows more of the time, or less. What is at a pixel stays there, unless time goes on.
+  zoom(factor, x) {
+    const time = this.at(x);
+    this.span = Math.min(LONGEST, Math.max(SHORTEST, this.span * factor));
+    if (this.paused !== null) this.paused = Math.min(this.jobs.now(), time + this.span * (1 - x / this.canvas.clientWidth));
+  }
+
+  // What happened at a place, in words; nothing where there is no job.
+  said(x, y) {
+    const { list, jobs } = this;
+    const line = list.lines[Math.floor((y + list.list.scrollTop) / list.row)];
+    const job = line?.job && jobs.rows.get(line.key);
+    if (!job) return "";
+    const time = this.at(x);
+    const turns = jobs.turns.get(line.key) ?? [];
+    const away = (turn) => Math.max(turn.begin - time, time - turn.end, 0);
+    const turn = turns.reduce((best, each) => (best && away(best) <= away(each) ? best : each), null);
+    const name = `${job.name}: `;
+    if (turn && away(turn) <= (NEAR * this.span) / this.canvas.clientWidth) return name + this.ran(turn, line.key);
+    const next = turns.find((each) => each.begin > time);
+    if (!next && time < job.since && !turns.length) return `${name}not yet in sight`;
+    const kind = next ? next.before : Jobs.kind(job);
+    return name + (kind === "running" || kind === "frozen" ? kind : `waits for ${kind}`);
+  }
+
+  ran(turn, number) {
+    const long = `ran for ${(turn.end - turn.begin).toFixed(2)} ms, ${((this.jobs.now() - turn.begin) / 1000).toFixed(2)} s ago`;
+    if (turn.waker === number) return `${long}, going on`;
+    const waited = turn.before === "running" ? "" : `, after it had waited for ${turn.before}`;
+    if (!turn.waker) return long + waited;
+    const waker = this.jobs.rows.get(turn.waker);
+    return `${long}${waited}, woken by ${waker ? `${waker.name}: ${waker.code}` : "a job that has ended"}`;
+  }
+
   draw() {
     const { list, canvas } = this;
     const width = canvas.clientWidth;
@@ -51,7 +107,7 @@ export class Lanes {
     context.clearRect(0, 0, width, height);
     if (!width) return;
     const colours = this.colours();
-    const now = this.paused ?? this.jobs.now();
+    const now = this.end();
     const x = (time) => width * (1 - (now - time) / this.span);
     const below = list.row > rem(HIGH);
     const sizes = { lane: rem(LANE), line: rem(THIN) };
@@ -68,6 +124,7 @@ export class Lanes {
       if (line.job) this.lane(context, line.key, middle, x, width, colours, sizes);
     }
     canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + 1;
+    canvas.dataset.span = this.span;
   }
 
   lane(context, number, middle, x, width, colours, sizes) {

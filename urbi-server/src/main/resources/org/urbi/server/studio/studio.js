@@ -21,6 +21,8 @@ const studio = {
   keywords: [],
   // The simulated worlds whose pages can be shown: name and title.
   worlds: [],
+  // The file to which variables are recorded, as the server has told last.
+  recording: { type: "recording", file: "" },
 
   // Tells the server something that it does not answer.
   send: (message) => stream.send(message),
@@ -80,6 +82,9 @@ function take(message) {
       break;
     case "worlds":
       studio.worlds = message.worlds;
+      break;
+    case "recording":
+      studio.recording = message;
       break;
     case "done":
       resolve(message.id, message.error, message);

@@ -2,6 +2,7 @@
 import { Items, ago, make, set } from "./elements.js";
 import { Objects, shownWay } from "./objects.js";
 import { Plot } from "./plot.js";
+import { Recording } from "./recording.js";
 import { Slot } from "./slot.js";
 
 const INDENT = 0.9;
@@ -12,6 +13,8 @@ const PAGE = `
       <div class="bar">
         <h2 id="variables-title">Variables</h2>
         <input id="variable-filter" type="search" placeholder="filter: a name…" aria-label="Show only slots whose name contains this text">
+        <span id="record-state" class="hint" role="status"></span>
+        <button id="record" type="button" aria-pressed="false" title="All variables and the log, to an MCAP file in the server's directory">Record</button>
       </div>
       <div class="columns" aria-hidden="true"><span>slot</span><span>value</span><span>per s</span><span>last written</span></div>
       <div id="variable-tree" role="tree" tabindex="0" aria-labelledby="variables-title"></div>
@@ -48,6 +51,8 @@ export class Room {
     this.items = new Items(this.tree, (line) => line.way, (line) => this.newLine(line), (row, line) => this.fillLine(row, line));
     this.plot = new Plot(this.find, studio);
     this.slot = new Slot(this.find("slot"), studio, this.plot);
+    this.recording = new Recording(studio, this.find("record"), this.find("record-state"));
+    this.recording.take(studio.recording);
     this.find("variable-filter").addEventListener("input", (event) => {
       this.text = event.target.value;
       this.draw();
@@ -72,6 +77,7 @@ export class Room {
 
   welcome() {
     this.objects.clear();
+    this.recording.draw();
     if (this.shown) this.show();
     this.draw();
   }
@@ -85,6 +91,7 @@ export class Room {
   }
 
   take(message) {
+    this.recording.take(message);
     if (message.type === "sample" && this.shown) this.plot.take(message);
     if (message.type !== "view" || !message.variables) return;
     this.objects.take(message.variables, message.time);

@@ -23,6 +23,12 @@ final class Served {
 
   static StudioServer of(Kernel kernel, AccessPolicy policy, Shown shown, Folders folders)
       throws IOException {
+    return of(kernel, policy, shown, folders, new RecordedFile());
+  }
+
+  static StudioServer of(
+      Kernel kernel, AccessPolicy policy, Shown shown, Folders folders, RecordedFile recorded)
+      throws IOException {
     return new StudioServer(
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
         client -> kernel.connect(client, false),
@@ -30,6 +36,7 @@ final class Served {
         shown,
         folders,
         Annexes.of(kernel),
+        recorded,
         SILENT);
   }
 }

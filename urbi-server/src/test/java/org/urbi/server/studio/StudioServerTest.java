@@ -40,6 +40,7 @@ import org.urbi.web.Page;
 class StudioServerTest {
   @TempDir static Path folder;
   private static Kernel kernel;
+  private static final RecordedFile RECORDED = new RecordedFile();
   private static StudioServer studio;
 
   @BeforeAll
@@ -56,7 +57,7 @@ class StudioServerTest {
   }
 
   private static StudioServer serve(AccessPolicy policy) throws IOException {
-    return Served.of(kernel, policy, Shown.VARIABLES, new Folders(folder, null));
+    return Served.of(kernel, policy, Shown.VARIABLES, new Folders(folder, null), RECORDED);
   }
 
   /** A browser's end of the stream. */
@@ -339,6 +340,20 @@ class StudioServerTest {
       assertTrue(other.await("\"id\":3,").contains("walk.u has been changed meanwhile"));
       page.send("{\"type\":\"open\",\"id\":4,\"name\":\"../x.u\"}");
       assertTrue(page.await("\"id\":4,").contains("only files below the directory"));
+    }
+  }
+
+  @Test
+  void allAreToldToWhichFileVariablesAreRecorded() throws Exception {
+    try (Browser page = new Browser(studio, "")) {
+      page.await("{\"type\":\"recording\",\"file\":\"\"}");
+      RECORDED.change("run.mcap");
+      page.await("{\"type\":\"recording\",\"file\":\"run.mcap\"}");
+      try (Browser later = new Browser(studio, "")) {
+        later.await("{\"type\":\"recording\",\"file\":\"run.mcap\"}");
+      }
+      RECORDED.change("");
+      page.await("{\"type\":\"recording\",\"file\":\"\"}");
     }
   }
 

@@ -51,6 +51,7 @@ public final class McapRecorder implements AutoCloseable {
   private final McapFile file;
   private final Connection connection;
   private final Consumer<String> log;
+  private final Runnable broken;
   private final BlockingQueue<Event> events = new LinkedBlockingQueue<>();
   private final AtomicLong waiting = new AtomicLong();
   private final AtomicLong lost = new AtomicLong();
@@ -70,13 +71,19 @@ public final class McapRecorder implements AutoCloseable {
    * @param connect opens a connection to the kernel
    * @param watched the paths of slots that are recorded besides the variables
    * @param log is told what goes wrong
+   * @param broken is called when the recording ends before it is closed, on its own thread
    * @throws IOException if the file cannot be written
    */
   public McapRecorder(
-      Path path, Function<Client, Connection> connect, List<String> watched, Consumer<String> log)
+      Path path,
+      Function<Client, Connection> connect,
+      List<String> watched,
+      Consumer<String> log,
+      Runnable broken)
       throws IOException {
     this.path = path;
     this.log = log;
+    this.broken = broken;
     file = new McapFile(path, "Urbi " + Version.number());
     topics.put(LOG, Topic.LOG);
     connection = connect.apply(new Observer());
@@ -87,6 +94,11 @@ public final class McapRecorder implements AutoCloseable {
   /** The file to which it records. */
   public Path path() {
     return path;
+  }
+
+  /** Whether it still records, and has not been ended by the disk. */
+  public boolean goesOn() {
+    return !failed;
   }
 
   /** What the kernel knows of it: it never asks for anything, and keeps no kernel running. */
@@ -184,6 +196,7 @@ public final class McapRecorder implements AutoCloseable {
     lost.addAndGet(events.size());
     events.clear();
     log.accept("mcap: " + path + ": " + reason + "; the recording ends here");
+    broken.run();
   }
 
   /** The next event; null if it is time to write what there is. */
