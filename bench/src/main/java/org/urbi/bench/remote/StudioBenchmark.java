@@ -1,153 +1,288 @@
 package org.urbi.bench.remote;
 
-import java.io.BufferedReader;
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.PrintStream;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A server with 10,000 jobs, 1,000 reactions, 1,000 slots and a loop with a period of 10 ms, in
- * turns without a page of the studio and with one in each of its rooms: processor time of the
- * server, and how late the loop is.
+ * What it costs a server that somebody looks, and whether that is what was promised: processor time
+ * in each room of the studio, and how late a loop of 10 ms is, in turns with a page and without,
+ * also with one that does not read. Then how long a browser takes until it shows something.
  */
 public final class StudioBenchmark {
-  private static final int ROUNDS = 3;
-  private static final int SECONDS = 10;
+  /** As many as it takes for 10,000 periods in each room. */
+  private static final int ROUNDS = 5;
+
+  private static final int SECONDS = 20;
+
+  /** What is told first, and compiled first, is not what it costs to look. */
+  private static final Duration SETTLING = Duration.ofSeconds(3);
+
+  /** What a viewer may cost besides, in percent of a core. */
+  private static final double MOST_FOR_A_VIEWER = 2;
+
+  /** What cannot be told from nothing, likewise. */
+  private static final double MOST_FOR_NOBODY = 0.3;
+
+  /** How much later 99.9 % of all periods may begin, in milliseconds. */
+  private static final double MOST_LATER = 1;
+
+  /** Where 99.9 % of all periods begin later without any studio, that cannot be told. */
+  private static final double MOST_ALONE = 5;
+
+  /** How many views may have been kept for a page that has not read. */
+  private static final int MOST_KEPT = 5;
+
+  private static final String INTEREST = "{\"type\":\"interest\",\"selected\":0,\"traced\":[]}";
 
   /** What a page sends that is in a room; of the code, one that is typing all the time. */
   private enum Room {
-    NOBODY(""),
-    JOBS("{\"type\":\"interest\",\"selected\":0,\"traced\":[]}"),
-    REACTIONS("{\"type\":\"reactions\",\"filter\":\"\"}"),
-    VARIABLES("{\"type\":\"variables\",\"objects\":[\"Global\",\"Global\\n.o\"]}"),
-    PLOT("{\"type\":\"plot\",\"id\":1,\"ways\":[\"Global\\n.turn\",\"Global\\n.begin\"]}"),
-    CODE("{\"type\":\"complete\",\"id\":1,\"text\":\"System.\"}");
+    UNSERVED("no studio"),
+    NOBODY("nobody"),
+    JOBS("jobs", INTEREST),
+    REACTIONS("reactions", "{\"type\":\"reactions\",\"filter\":\"\"}"),
+    VARIABLES("variables", "{\"type\":\"variables\",\"objects\":[\"Global\",\"Global\\n.o\"]}"),
+    PLOT("plot", "{\"type\":\"plot\",\"id\":1,\"ways\":[\"Global\\n.turn\",\"Global\\n.begin\"]}"),
+    CODE("code", "{\"type\":\"complete\",\"id\":1,\"text\":\"System.\"}"),
+    // What is too much for all buffers on the way comes first, then views.
+    DEAF("does not read", "{\"type\":\"show\",\"id\":1,\"way\":\"Global\\n.sound\"}", INTEREST);
 
-    private final String request;
+    private final String title;
+    private final List<String> requests;
 
-    Room(String request) {
-      this.request = request;
-    }
-
-    String title() {
-      return name().toLowerCase(Locale.ROOT);
+    Room(String title, String... requests) {
+      this.title = title;
+      this.requests = List.of(requests);
     }
   }
 
-  private static final String PROGRAM =
-      "var Global.late = []|; var Global.begin = System.time|; var Global.turn = 0|;"
-          + "many: for& (10000) sleep(1h),"
-          + "var Global.never = 0|; for (1000) at (never == 1) 1;"
-          + "var Global.o = Object.new|; for (var i : 1000) o.setSlot(\"x\" + i, i);"
-          + "probe: every| (10ms) { late << (System.time - begin - 0.01 * turn) | turn++ },";
+  /** What was measured in a room: a value for each of its turns, and how late each period was. */
+  private static final class Result {
+    private final List<Double> processor = new ArrayList<>();
+    private final List<Double> kilobytes = new ArrayList<>();
+    private final List<Double> views = new ArrayList<>();
+    private double[] late = new double[0];
 
-  /** Starts to measure anew, when all jobs have been started. */
-  private static final String AGAIN =
-      "probe.stop; late = [] | begin = System.time | turn = 0 |"
-          + "probe: every| (10ms) { late << (System.time - begin - 0.01 * turn) | turn++ },";
+    void add(double[] periods) {
+      int known = late.length;
+      late = Arrays.copyOf(late, known + periods.length);
+      System.arraycopy(periods, 0, late, known, periods.length);
+    }
 
-  private static final String ASK =
-      "{ var s = late.sort()| echo(\"late \" + s[(s.size * 0.999).floor] + \" \" + s[s.size - 1]) };";
+    /** What all periods but one in a thousand are not later than, in milliseconds. */
+    double mostly() {
+      double[] sorted = late.clone();
+      Arrays.sort(sorted);
+      return sorted[(int) (0.999 * sorted.length)];
+    }
 
-  private final Process server;
-  private final BufferedReader said;
-  private final PrintStream input;
-  private final String address;
+    double worst() {
+      return Arrays.stream(late).max().orElse(0);
+    }
 
-  private StudioBenchmark(Path root) throws IOException {
-    server =
-        new ProcessBuilder(root.resolve("urbi").toString(), "-q", "-i", "--studio=0", "-e", PROGRAM)
-            .redirectErrorStream(true)
-            .start();
-    said =
-        new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
-    input = new PrintStream(server.getOutputStream(), true, StandardCharsets.UTF_8);
-    String line = await("studio: ");
-    address = line.substring(line.indexOf("http://") + "http://".length()).strip();
+    double processor() {
+      return median(processor);
+    }
+
+    private static double median(List<Double> all) {
+      List<Double> sorted = all.stream().sorted().toList();
+      return (sorted.get((sorted.size() - 1) / 2) + sorted.get(sorted.size() / 2)) / 2;
+    }
   }
 
-  private String await(String part) throws IOException {
-    for (String line = said.readLine(); line != null; line = said.readLine()) {
-      if (line.contains(part)) {
-        return line;
+  /** A page that reads all that it is sent, unless it is deaf. */
+  private static final class Page implements WebSocket.Listener {
+    private final boolean deaf;
+    private final AtomicLong bytes = new AtomicLong();
+    private final AtomicLong views = new AtomicLong();
+
+    Page(boolean deaf) {
+      this.deaf = deaf;
+    }
+
+    @Override
+    public void onOpen(WebSocket from) {
+      if (!deaf) {
+        from.request(Long.MAX_VALUE);
       }
     }
-    throw new IOException("the server has ended");
-  }
-
-  /** A page that reads all that it is sent. */
-  private static final class Page implements WebSocket.Listener {
-    private long bytes;
 
     @Override
     public @Nullable CompletionStage<?> onText(WebSocket from, CharSequence data, boolean last) {
-      bytes += data.length();
-      from.request(1);
+      bytes.addAndGet(data.length());
+      if (data.toString().startsWith("{\"type\":\"view\"")) {
+        views.incrementAndGet();
+      }
       return null;
     }
   }
 
+  private final Map<Room, Result> results = new EnumMap<>(Room.class);
+  private final StudioProbe unserved;
+  private final StudioProbe served;
+  private final URI stream;
+
+  private StudioBenchmark(StudioProbe unserved, StudioProbe served) throws IOException {
+    this.unserved = unserved;
+    this.served = served;
+    for (Room room : Room.values()) {
+      results.put(room, new Result());
+    }
+    String line = served.await("studio: http://");
+    stream = URI.create("ws" + line.substring(line.indexOf("://")).strip() + "stream");
+    served.await("ready");
+    unserved.await("ready");
+  }
+
+  private Result result(Room room) {
+    return requireNonNull(results.get(room), "each room has one");
+  }
+
   private void measure(Room room) throws Exception {
-    Page page = new Page();
-    WebSocket socket = null;
-    if (room != Room.NOBODY) {
-      URI stream = URI.create("ws://" + address + "stream");
-      socket = HttpClient.newHttpClient().newWebSocketBuilder().buildAsync(stream, page).join();
-      socket.sendText(room.request, true).join();
+    if (room.requests.isEmpty()) {
+      measure(room, new Page(true), null);
+      return;
     }
-    // What is told first, and compiled first, is not what it costs to look.
-    Thread.sleep(Duration.ofSeconds(5));
-    input.println(AGAIN);
-    Duration before = processorTime();
-    long bytes = page.bytes;
-    for (int second = 0; second < SECONDS; second++) {
-      Thread.sleep(Duration.ofSeconds(1));
-      if (socket != null && room == Room.CODE) {
-        socket.sendText(room.request, true).join();
+    Page page = new Page(room == Room.DEAF);
+    try (HttpClient client = HttpClient.newHttpClient()) {
+      WebSocket socket = client.newWebSocketBuilder().buildAsync(stream, page).join();
+      for (String request : room.requests) {
+        socket.sendText(request, true).join();
       }
-    }
-    Duration used = processorTime().minus(before);
-    bytes = page.bytes - bytes;
-    input.println(ASK);
-    String[] late = await("late ").split(" ");
-    System.out.printf(
-        Locale.ROOT,
-        "%-10s %5.2f %% of a core, p99.9 %6.3f ms late, worst %6.3f ms, %6.1f kB/s%n",
-        room.title(),
-        used.toNanos() / 1e7 / SECONDS,
-        1000 * Double.parseDouble(late[late.length - 2]),
-        1000 * Double.parseDouble(late[late.length - 1]),
-        bytes / 1000.0 / SECONDS);
-    if (socket != null) {
+      measure(room, page, socket);
       socket.abort();
     }
   }
 
-  private Duration processorTime() {
-    return server.toHandle().info().totalCpuDuration().orElse(Duration.ZERO);
+  private void measure(Room room, Page page, @Nullable WebSocket socket) throws Exception {
+    StudioProbe server = room == Room.UNSERVED ? unserved : served;
+    server.begin();
+    Thread.sleep(SETTLING);
+    Duration before = server.processorTime();
+    long bytes = page.bytes.get();
+    long views = page.views.get();
+    for (int second = 0; second < SECONDS; second++) {
+      Thread.sleep(Duration.ofSeconds(1));
+      if (socket != null && room == Room.CODE) {
+        socket.sendText(room.requests.getFirst(), true).join();
+      }
+    }
+    Result result = result(room);
+    result.processor.add(server.processorTime().minus(before).toNanos() / 1e7 / SECONDS);
+    result.kilobytes.add((page.bytes.get() - bytes) / 1000.0 / SECONDS);
+    result.views.add((double) (page.views.get() - views) / SECONDS);
+    double[] late = server.end();
+    // The first ones are those while it settles.
+    int settled = Math.min((int) (SETTLING.toMillis() / StudioProbe.PERIOD), late.length);
+    result.add(Arrays.copyOfRange(late, settled, late.length));
+    if (socket != null && room == Room.DEAF) {
+      socket.request(Long.MAX_VALUE);
+      Thread.sleep(Duration.ofSeconds(1));
+      result.views.set(result.views.size() - 1, (double) page.views.get());
+    }
+  }
+
+  // ------------------------------------------------------------------ what comes of it
+
+  /** Whether a millisecond can be told: the loop is hardly ever late by itself. */
+  private boolean isCalm() {
+    return result(Room.UNSERVED).mostly() <= MOST_ALONE;
+  }
+
+  /** What was promised for a room and is missed; empty if nothing is. */
+  private String missed(Room room) {
+    Result result = result(room);
+    Result without = result(room == Room.NOBODY ? Room.UNSERVED : Room.NOBODY);
+    double most = without.processor() + (room == Room.NOBODY ? MOST_FOR_NOBODY : MOST_FOR_A_VIEWER);
+    List<String> missed = new ArrayList<>();
+    if (result.processor() > most) {
+      missed.add("at most %.2f %% of a core".formatted(most));
+    }
+    if (isCalm() && result.mostly() > without.mostly() + MOST_LATER) {
+      missed.add("p99.9 at most %.3f ms".formatted(without.mostly() + MOST_LATER));
+    }
+    if (room == Room.DEAF && Result.median(result.views) > MOST_KEPT) {
+      missed.add("at most " + MOST_KEPT + " views");
+    }
+    return String.join(", ", missed);
+  }
+
+  private String verdict(Room room) {
+    if (room == Room.UNSERVED) {
+      return "";
+    }
+    String missed = missed(room);
+    String told = missed.isEmpty() ? "  met" : "  MISSED: " + missed;
+    return isCalm() ? told : told + "; p99.9 unknown: the machine is busy";
+  }
+
+  /** Prints a row for each room, and returns whether all is as promised. */
+  private boolean report() {
+    System.out.printf(
+        "%-14s %9s %9s %9s %8s %8s %7s%n",
+        "who looks", "% of core", "p99.9 ms", "worst ms", "periods", "kB/s", "views/s");
+    boolean met = true;
+    for (Room room : Room.values()) {
+      Result result = result(room);
+      met &= room == Room.UNSERVED || missed(room).isEmpty();
+      System.out.printf(
+          Locale.ROOT,
+          "%-14s %9.2f %9.3f %9.3f %8d %8.1f %7.1f%s%n",
+          room.title,
+          result.processor(),
+          result.mostly(),
+          result.worst(),
+          result.late.length,
+          Result.median(result.kilobytes),
+          Result.median(result.views),
+          verdict(room));
+    }
+    System.out.println("views of who does not read: in the second in which it begins to");
+    return met;
+  }
+
+  private static boolean hasBrowser() {
+    return Stream.of(System.getenv("PATH").split(":"))
+        .anyMatch(folder -> Files.isExecutable(Path.of(folder, "chromedriver")));
   }
 
   public static void main(String[] arguments) throws Exception {
-    StudioBenchmark bench = new StudioBenchmark(Path.of(System.getProperty("bench.root")));
-    try {
-      Thread.sleep(Duration.ofSeconds(10));
-      for (int round = 0; round < ROUNDS; round++) {
+    Path root = Path.of(System.getProperty("bench.root"));
+    int rounds = arguments.length > 0 ? Integer.parseInt(arguments[0]) : ROUNDS;
+    boolean met;
+    try (StudioProbe unserved = new StudioProbe(root);
+        StudioProbe served = new StudioProbe(root, "--studio=0")) {
+      StudioBenchmark bench = new StudioBenchmark(unserved, served);
+      Thread.sleep(Duration.ofSeconds(5));
+      for (int round = 0; round < rounds; round++) {
+        System.err.println("bench: round " + (round + 1) + " of " + rounds);
         for (Room room : Room.values()) {
           bench.measure(room);
         }
       }
-    } finally {
-      bench.server.destroy();
-      bench.server.waitFor();
+      met = bench.report();
     }
+    if (hasBrowser()) {
+      met &= StudioStartBenchmark.run(root);
+    } else {
+      System.out.println("first jobs: not measured, there is no chromedriver");
+    }
+    System.exit(met ? 0 : 1);
   }
 }
