@@ -3,6 +3,7 @@ package org.urbi.web;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.handler.codec.DecoderException;
+import io.netty.handler.codec.PrematureChannelClosureException;
 import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
 import io.netty.handler.codec.http.websocketx.WebSocketHandshakeException;
@@ -16,9 +17,10 @@ public final class StreamFailure {
   private StreamFailure() {}
 
   /**
-   * Closes the connection; the others are not concerned. Connections break, and peers send what is
-   * malformed or too long: that is nothing to tell. Anything else is a defect of ours: it goes to
-   * the log of the process with its stack, and the other end is told "internal error".
+   * Closes the connection; the others are not concerned. Connections break, also within a message,
+   * and peers send what is malformed or too long: that is nothing to tell. Anything else is a
+   * defect of ours: it goes to the log of the process with its stack, and the other end is told
+   * "internal error".
    *
    * @param doing what failed, for the log
    */
@@ -45,6 +47,7 @@ public final class StreamFailure {
   private static boolean isOfTheOtherEnd(Throwable cause) {
     return cause instanceof IOException
         || cause instanceof DecoderException
+        || cause instanceof PrematureChannelClosureException
         || cause instanceof WebSocketHandshakeException;
   }
 }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.embedded.EmbeddedChannel;
+import io.netty.handler.codec.PrematureChannelClosureException;
 import io.netty.handler.codec.TooLongFrameException;
 import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import java.io.IOException;
@@ -66,7 +67,10 @@ class StreamFailureTest {
   @Test
   void brokenConnectionsAndMalformedMessagesAreNothingToTell() {
     for (Throwable cause :
-        List.of(new IOException("reset"), new TooLongFrameException("of a megabyte"))) {
+        List.of(
+            new IOException("reset"),
+            new PrematureChannelClosureException("half a message"),
+            new TooLongFrameException("of a megabyte"))) {
       EmbeddedChannel channel = failed(cause);
       assertFalse(channel.isOpen());
       assertNull(channel.readOutbound());
