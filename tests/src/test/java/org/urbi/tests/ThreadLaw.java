@@ -1,10 +1,9 @@
 package org.urbi.tests;
 
+import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static java.util.Map.entry;
 
-import com.tngtech.archunit.base.DescribedPredicate;
-import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import java.util.Map;
@@ -32,15 +31,6 @@ final class ThreadLaw {
           entry("io.netty.channel.SingleThreadIoEventLoop", Set.of("<init>")),
           entry("io.netty.util.concurrent.DefaultThreadFactory", Set.of("<init>")));
 
-  private static final DescribedPredicate<JavaAccess<?>> MAKES_A_THREAD =
-      new DescribedPredicate<>("what makes threads") {
-        @Override
-        public boolean test(JavaAccess<?> access) {
-          Set<String> names = MAKERS.get(access.getTarget().getOwner().getName());
-          return names != null && (names.isEmpty() || names.contains(access.getTarget().getName()));
-        }
-      };
-
   @ArchTest
   static final ArchRule threadsAreMadeWhereTheyAreGuarded =
       noClasses()
@@ -51,13 +41,11 @@ final class ThreadLaw {
           .and()
           .haveNameNotMatching("org\\.urbi\\.web\\.NetworkLoop(\\$.*)?")
           .and()
-          // They run the jobs and the tick loop, which see to what is thrown in them themselves;
-          // how
-          // a virtual thread is made, and by whom, is what they are about.
+          // They run the jobs and the tick loop, which see to what is thrown in them themselves.
           .haveNameNotMatching("org\\.urbi\\.kernel\\.job\\.(HandoffThread|TickLoopThread)(\\$.*)?")
           .and()
           // It guards its thread, which inherits nothing of the program that makes the kernel.
           .doNotHaveFullyQualifiedName("org.urbi.kernel.memory.MemoryWatchdog")
           .should()
-          .accessTargetWhere(MAKES_A_THREAD);
+          .accessTargetWhere(are(ArchitectureTest.callsOf("what makes threads", MAKERS)));
 }

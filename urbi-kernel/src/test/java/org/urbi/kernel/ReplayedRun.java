@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /** A run that is had again from its recording, without its clients. */
-final class ReplayedRun {
+public final class ReplayedRun {
   /** Whoever was connected in the run that is replayed. */
   private static final Client SILENT =
       new Client() {
@@ -20,13 +20,18 @@ final class ReplayedRun {
   private ReplayedRun() {}
 
   /** The replay must end, and do what was recorded. */
-  static void check(Path recording) {
+  public static void check(Path recording) {
     assertNull(difference(recording));
   }
 
   /** How the replay, which must end, differs from what was recorded; null if it does not. */
   static @Nullable String difference(Path recording) {
-    Kernel replayed = Kernel.builder().log(line -> {}).replay(recording, number -> SILENT).start();
+    return difference(Kernel.builder(), recording);
+  }
+
+  /** The same, in a kernel that tells somebody what it shows. */
+  public static @Nullable String difference(KernelBuilder builder, Path recording) {
+    Kernel replayed = builder.log(line -> {}).replay(recording, number -> SILENT).start();
     replayed.awaitTermination();
     return replayed.replayDifference();
   }

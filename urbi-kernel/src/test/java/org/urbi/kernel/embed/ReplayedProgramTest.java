@@ -16,20 +16,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.kernel.Client;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.ReplayedRun;
 
 /** A run is replayed without the Java program that was around it. */
 class ReplayedProgramTest {
-  private static final Client SILENT =
-      new Client() {
-        @Override
-        public void output(String bytes) {}
-
-        @Override
-        public void closed() {}
-      };
-
   @TempDir Path folder;
 
   /** What the program was shown. */
@@ -48,13 +39,8 @@ class ReplayedProgramTest {
 
   private String replay(Consumer<String> difference) {
     StringBuffer shown = new StringBuffer();
-    Kernel kernel =
-        Kernel.builder()
-            .output(shown::append)
-            .replay(folder.resolve("run"), number -> SILENT)
-            .start();
-    kernel.awaitTermination();
-    difference.accept(kernel.replayDifference());
+    difference.accept(
+        ReplayedRun.difference(Kernel.builder().output(shown::append), folder.resolve("run")));
     return shown.toString();
   }
 

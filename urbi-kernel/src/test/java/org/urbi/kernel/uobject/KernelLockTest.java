@@ -10,9 +10,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.kernel.Client;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.KernelBuilder;
+import org.urbi.kernel.ReplayedRun;
 import org.urbi.kernel.TestTimeout;
 import urbi.UContext;
 import urbi.UObject;
@@ -20,15 +20,6 @@ import urbi.UVar;
 
 /** A thread of a component locks the kernel. */
 class KernelLockTest {
-  private static final Client SILENT =
-      new Client() {
-        @Override
-        public void output(String bytes) {}
-
-        @Override
-        public void closed() {}
-      };
-
   /** Has a thread of its own, which does what a test says. */
   public static final class Worker extends UObject {
     static volatile Work work = (context, value) -> {};
@@ -116,9 +107,7 @@ class KernelLockTest {
 
     String recorded = shown.toString();
     shown.setLength(0);
-    Kernel again = Kernel.builder().output(shown::append).replay(run, number -> SILENT).start();
-    again.awaitTermination();
-    assertNull(again.replayDifference());
+    assertNull(ReplayedRun.difference(Kernel.builder().output(shown::append), run));
     assertEquals(recorded, shown.toString());
   }
 

@@ -12,8 +12,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.kernel.Client;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.ReplayedRun;
 import org.urbi.kernel.TestTimeout;
 import urbi.LockMode;
 import urbi.UContext;
@@ -23,15 +23,6 @@ import urbi.UVar;
 
 /** A run whose component has a thread of its own is replayed without what that thread does. */
 class ReplayedThreadTest {
-  private static final Client SILENT =
-      new Client() {
-        @Override
-        public void output(String bytes) {}
-
-        @Override
-        public void closed() {}
-      };
-
   /** How the threads of all sensors have ended. */
   private static final BlockingQueue<String> ENDS = new LinkedBlockingQueue<>();
 
@@ -116,9 +107,7 @@ class ReplayedThreadTest {
     }
 
     StringBuffer again = new StringBuffer();
-    Kernel replay = Kernel.builder().output(again::append).replay(run, number -> SILENT).start();
-    replay.awaitTermination();
-    assertNull(replay.replayDifference());
+    assertNull(ReplayedRun.difference(Kernel.builder().output(again::append), run));
     assertEquals(shown.toString(), again.toString());
     assertEquals("in a replay, threads of components have no say", nextEnd());
   }
@@ -138,9 +127,7 @@ class ReplayedThreadTest {
         shown.toString().matches("(?s).*\\[0\\.\\d+].*0\\.\\d+\n.*\\*\\*\\* 7\n"),
         shown.toString());
     StringBuffer again = new StringBuffer();
-    Kernel replay = Kernel.builder().output(again::append).replay(run, number -> SILENT).start();
-    replay.awaitTermination();
-    assertNull(replay.replayDifference());
+    assertNull(ReplayedRun.difference(Kernel.builder().output(again::append), run));
     assertEquals(shown.toString(), again.toString());
   }
 }
