@@ -16,12 +16,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.budget.Budget;
-import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.memory.Evictable;
@@ -47,6 +44,7 @@ public final class Embedding {
   private final BooleanSupplier stopping;
   private final ListenerQueue<String> output;
   private final ProgramTasks tasks;
+  private final ProgramEviction eviction;
   private final AtomicInteger last = new AtomicInteger();
 
   /** The number of threads that wait for the end of the kernel. */
@@ -80,6 +78,7 @@ public final class Embedding {
     this.scheduler = interpreter.scheduler();
     this.stopping = stopping;
     this.tasks = new ProgramTasks(this);
+    this.eviction = new ProgramEviction(scheduler, () -> lobby);
     this.output = new ListenerQueue<>(scheduler, bytes -> output.accept(Utf8Text.toJava(bytes)));
     scheduler.inbox().register(Message.EMBEDDING, this::take);
   }
@@ -87,7 +86,8 @@ public final class Embedding {
   private void take(Message message) {
     switch (message) {
       case Message.OfProgram asked -> begin(asked);
-      case Message.Evicted evicted -> evicted(evicted.reason());
+      case Message.ProgramEvicted evicted ->
+          eviction.obey(evicted, interpreter.values().voidObject);
       case Message.EmbeddingCancel cancel -> cancel(cancel.number());
       case Message.EmbeddingWaits waits -> {
         waitingForEnd = waits.threads();
@@ -123,50 +123,9 @@ public final class Embedding {
     }
   }
 
-  private void evicted(String reason) {
-    UrbiLobby of = own();
-    scheduler.interruptions().clear(of);
-    of.connectionTag().state().stop(interpreter.values().voidObject);
-    Diagnostics.error(of.output(), Problem.EVICTED.text(reason));
-  }
-
   /** The embedding program, as one of those who use the memory. */
   public Evictable evictable() {
-    return new Evictable() {
-      @Override
-      public @Nullable Budget budget() {
-        UrbiLobby of = lobby;
-        return of == null ? null : of.budget();
-      }
-
-      @Override
-      public String description() {
-        return "the program that embeds the kernel";
-      }
-
-      @Override
-      public void evict(String why) {
-        pending.values().forEach(request -> request.evicted(why));
-        scheduler.interruptions().request(own());
-        scheduler.inbox().post(new Message.Evicted(Message.EMBEDDING, why));
-      }
-
-      @Override
-      public boolean isAtWork() {
-        Budget of = budget();
-        return of != null && of.used(Resource.JOBS) > 0;
-      }
-
-      @Override
-      public boolean stays() {
-        return true;
-      }
-
-      @Override
-      public void close() {
-        throw new UnsupportedOperationException("it stays");
-      }
-    };
+    return eviction;
   }
 
   Interpreter interpreter() {
@@ -188,6 +147,10 @@ public final class Embedding {
 
   ProgramTasks tasks() {
     return tasks;
+  }
+
+  ProgramEviction eviction() {
+    return eviction;
   }
 
   /** A handle for the program; on the kernel thread. */
@@ -370,6 +333,9 @@ public final class Embedding {
       request.cancel();
       Thread.currentThread().interrupt();
       throw new CancellationException("interrupted while the kernel evaluated");
+    } catch (CancellationException e) {
+      // The future would tell that it was asked for its result, and no more.
+      throw Request.stopped();
     } catch (ExecutionException e) {
       throw switch (e.getCause()) {
         case UrbiError error -> error.here();

@@ -22,7 +22,6 @@ final class Request<T> {
   private @Nullable Object value;
   private @Nullable Throwable failure;
   private boolean over;
-  private volatile @Nullable String evicted;
 
   Request(Embedding embedding, Message.OfProgram asked, Beside beside) {
     this.embedding = embedding;
@@ -41,11 +40,6 @@ final class Request<T> {
     embedding.scheduler().inbox().post(new Message.EmbeddingCancel(asked.number()));
   }
 
-  /** The job is about to be ended, for that reason; from any thread. */
-  void evicted(String reason) {
-    evicted = reason;
-  }
-
   int number() {
     return asked.number();
   }
@@ -62,7 +56,8 @@ final class Request<T> {
           embedding
               .scheduler()
               .startDetached(lobby, embedding.scheduler().rootScope(), "eval", this::run);
-      job.onEnd(this::jobEnded);
+      long number = job.number();
+      job.onEnd(() -> jobEnded(number));
     }
   }
 
@@ -77,6 +72,7 @@ final class Request<T> {
     UrbiLobby lobby = (UrbiLobby) running.lobby();
     Frame frame = Frame.top(embedding.interpreter(), running, lobby, new FrameLayout());
     TagScope scope = running.enter(lobby.connectionTag().state());
+    embedding.eviction().begins(running);
     try {
       value = embedding.tasks().run(frame, asked, beside);
       over = true;
@@ -86,6 +82,9 @@ final class Request<T> {
       // A return or break outside of functions and loops: the result is void.
       over = true;
     } catch (Throwable thrown) {
+      // Who asks next must not suffer from what is decided about this one.
+      embedding.scheduler().memory().recover(thrown);
+      embedding.scheduler().beginTurn();
       failure = UrbiErrorConverter.of(embedding, frame, thrown);
       over = true;
     } finally {
@@ -93,11 +92,11 @@ final class Request<T> {
     }
   }
 
-  private void jobEnded() {
+  private void jobEnded(long number) {
     embedding.finished();
     try {
       if (!over) {
-        failure = ended();
+        failure = ended(number);
       }
       // Complete after the output of this tick, outside of the thread of the job.
       embedding.scheduler().atEndOfTick(this::complete);
@@ -106,14 +105,16 @@ final class Request<T> {
     }
   }
 
-  private Exception ended() {
+  private Exception ended(long number) {
     if (embedding.isStopping()) {
       return Embedding.ended();
     }
-    String reason = evicted;
-    return reason == null
-        ? new CancellationException("the evaluation was stopped")
-        : UrbiErrorConverter.simple(reason, null);
+    String reason = embedding.eviction().reasonFor(number);
+    return reason == null ? stopped() : UrbiErrorConverter.simple(reason, null);
+  }
+
+  static CancellationException stopped() {
+    return new CancellationException("the evaluation was stopped");
   }
 
   // The program asks for what the task of its message returns.

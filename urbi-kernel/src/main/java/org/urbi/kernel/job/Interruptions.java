@@ -1,11 +1,13 @@
 package org.urbi.kernel.job;
 
 import java.util.HashSet;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.journal.Journal;
@@ -31,7 +33,12 @@ public final class Interruptions {
 
   private static final long NONE = -1;
 
-  private final Set<UrbiObject> lobbies = ConcurrentHashMap.newKeySet();
+  /** All that a lobby runs. */
+  private static final Predicate<Job> EVERYTHING = job -> true;
+
+  /** Which code of a lobby is to end. */
+  private final Map<UrbiObject, Predicate<Job>> lobbies = new ConcurrentHashMap<>();
+
   private final LongSupplier turns;
   private final Journal journal;
   private final Clock machine;
@@ -81,7 +88,16 @@ public final class Interruptions {
 
   /** Ends the job that is running for that lobby, if any. */
   public void request(UrbiObject lobby) {
-    lobbies.add(lobby);
+    request(lobby, EVERYTHING);
+  }
+
+  /**
+   * The same, if it is one of those.
+   *
+   * @param which asked on the kernel thread, of the running job
+   */
+  public void request(UrbiObject lobby, Predicate<Job> which) {
+    lobbies.merge(lobby, which, (before, now) -> before == EVERYTHING ? before : now);
     announce();
   }
 
@@ -181,7 +197,7 @@ public final class Interruptions {
         }
       }
     }
-    StopReason decided = decide(job.lobby(), job.scope().isDetached());
+    StopReason decided = decide(job.lobby(), job);
     if (decided == StopReason.REQUESTED) {
       throw TagStop.interruption();
     } else if (decided != StopReason.NONE) {
@@ -196,17 +212,11 @@ public final class Interruptions {
    * Decides whether and why the job that runs for that lobby must end, and notes that it ends now.
    */
   StopReason decide(UrbiObject lobby) {
-    return decide(lobby, false);
+    return decide(lobby, null);
   }
 
-  /**
-   * The same.
-   *
-   * @param detached whether the job is to outlive its connection: then its client, who leaves or
-   *     wants something else ended, only ends it if it does not let others run
-   */
-  private StopReason decide(UrbiObject lobby, boolean detached) {
-    StopReason decided = journal.stopReason(pendingFor(lobby, detached));
+  private StopReason decide(UrbiObject lobby, @Nullable Job job) {
+    StopReason decided = journal.stopReason(pendingFor(lobby, job));
     if (decided == StopReason.NONE) {
       return decided;
     }
@@ -232,7 +242,7 @@ public final class Interruptions {
         : GRACE_PERIOD;
   }
 
-  private StopReason pendingFor(UrbiObject lobby, boolean detached) {
+  private StopReason pendingFor(UrbiObject lobby, @Nullable Job job) {
     long turn = turns.getAsLong();
     if (endingTurn != NONE) {
       if (endingTurn == turn) {
@@ -240,7 +250,7 @@ public final class Interruptions {
       }
       forgetEnded(turn);
     }
-    if (all || lobby != null && lobbies.contains(lobby) && (!detached || goesOn(turn))) {
+    if (all || lobby != null && isRequested(lobby, job, turn)) {
       return StopReason.REQUESTED;
     }
     if (overdueTurn.get() == turn) {
@@ -251,6 +261,16 @@ public final class Interruptions {
       update();
     }
     return StopReason.NONE;
+  }
+
+  /**
+   * Whether the code of that lobby is to end. A job that is to outlive its connection is ended by
+   * its client, who leaves or wants something else ended, only if it does not let others run.
+   */
+  private boolean isRequested(UrbiObject lobby, @Nullable Job job, long turn) {
+    Predicate<Job> which = lobbies.get(lobby);
+    return which != null
+        && (job == null || which.test(job) && (!job.scope().isDetached() || goesOn(turn)));
   }
 
   /** Whether this turn goes on although it was asked to end. */

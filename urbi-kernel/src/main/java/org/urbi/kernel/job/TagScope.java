@@ -143,6 +143,21 @@ public final class TagScope {
     }
   }
 
+  /** Whether a job has entered it whose number is not greater than that. */
+  boolean isOf(long last) {
+    return owner == null || owner.number() <= last;
+  }
+
+  /** Whether the code here is in a scope {@linkplain #isOf of} those jobs, under that tag. */
+  boolean isWithin(TagState around, long last) {
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.tag == around && scope.isOf(last)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Whether the code here is to outlive the connection that started it. */
   boolean isDetached() {
     for (TagScope scope = this; scope != null; scope = scope.parent) {

@@ -109,7 +109,18 @@ public final class TagState {
 
   /** Ends all the code that is running under this tag, which returns the value. */
   public void stop(UrbiObject value) {
+    stop(value, Long.MAX_VALUE);
+  }
+
+  /**
+   * The same, but not what jobs have begun whose numbers are greater than that, unless it is within
+   * what is ended.
+   */
+  public void stop(UrbiObject value, long last) {
     for (TagScope scope : new ArrayList<>(scopes)) {
+      if (!scope.isOf(last)) {
+        continue;
+      }
       for (TagScope.Attachment attachment : scope.allAttachments()) {
         attachment.stopped(scope);
       }
@@ -118,6 +129,11 @@ public final class TagState {
         job.inject(unwinding);
       }
     }
+  }
+
+  /** Whether {@link #stop(UrbiObject, long)} ends that job. */
+  public boolean isStopped(Job job, long last) {
+    return job.scope().isWithin(this, last);
   }
 
   /** Ends what waits under this tag without a job (handlers); running code continues. */

@@ -105,6 +105,7 @@ public final class EntryCodec {
     add(112, Message.ScopeWanted.class);
     add(113, Message.Listened.class);
     add(114, Message.FunctionDefined.class);
+    add(115, Message.ProgramEvicted.class);
   }
 
   private record Kind(int number, RecordComponent[] parts, Constructor<?> constructor) {}

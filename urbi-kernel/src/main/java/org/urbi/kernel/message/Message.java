@@ -98,6 +98,19 @@ public sealed interface Message {
   /** All jobs of a lobby must end, for that reason. */
   record Evicted(int to, String reason) implements Ending {}
 
+  /**
+   * What the embedding program has begun must end, for that reason.
+   *
+   * @param last the number of the job of its last request that had begun when this was decided:
+   *     what it has asked for since is not to blame
+   */
+  record ProgramEvicted(long last, String reason) implements Ending {
+    @Override
+    public int to() {
+      return EMBEDDING;
+    }
+  }
+
   /** A client has disconnected. */
   record ConnectionClosed(int to) implements Ending {}
 

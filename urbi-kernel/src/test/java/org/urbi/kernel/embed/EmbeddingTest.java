@@ -298,7 +298,9 @@ class EmbeddingTest {
   void anEvaluationCanBeStopped() {
     assertNull(kernel.eval("var t = Tag.new; t: { t.stop; 1 }"));
     var asleep = kernel.evalAsync("sleep");
-    assertThrows(CancellationException.class, () -> kernel.eval("quit"));
+    assertEquals(
+        "the evaluation was stopped",
+        assertThrows(CancellationException.class, () -> kernel.eval("quit")).getMessage());
     assertThrows(CancellationException.class, asleep::join);
     assertEquals(2.0, kernel.eval("1 + 1"));
   }

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -120,6 +121,20 @@ class ReplayedProgramTest {
           kernel.eval("sleep(1s); echo(\"between\")");
           endless.cancel(false);
           assertThrows(CancellationException.class, endless::join);
+          kernel.eval("sleep(1s); echo(\"after\")");
+        },
+        "after");
+  }
+
+  @Test
+  void whatIsEndedForWantOfMemoryEndsAgainAndNothingElse() {
+    check(
+        kernel -> {
+          CompletableFuture<Object> greedy =
+              kernel.evalAsync("echo(\"began\"); sleep(inf); echo(\"never\")");
+          kernel.eval("sleep(1s); echo(\"between\")");
+          kernel.embedding().evictable().evict("no memory");
+          assertThrows(CompletionException.class, greedy::join);
           kernel.eval("sleep(1s); echo(\"after\")");
         },
         "after");
