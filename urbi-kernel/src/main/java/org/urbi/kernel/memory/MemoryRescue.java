@@ -228,6 +228,7 @@ final class MemoryRescue {
   }
 
   private void relieve(MemoryUser[] users) {
+    heap.expectRelief();
     @Nullable MemoryUser most = null;
     double grown = 0;
     for (MemoryUser each : users) {

@@ -6,8 +6,8 @@ public interface Heap {
   boolean isScarce();
 
   /**
-   * Whether garbage collection leaves nearly no room, or takes nearly all of the time. Call this
-   * several times a second while memory is scarce.
+   * Whether garbage collection leaves nearly no room, or takes nearly all of the time, or much of
+   * it where it leaves little room. Call this several times a second while memory is scarce.
    *
    * @param now the time in nanoseconds
    */
@@ -21,6 +21,12 @@ public interface Heap {
 
   /** Resets the measurement: memory is no longer scarce. */
   void forget();
+
+  /**
+   * Somebody has been asked to give back memory: whether collections take too much of the time for
+   * the little that they leave is measured anew.
+   */
+  void expectRelief();
 
   /** How many times all garbage has been collected so far. */
   long collections();

@@ -15,12 +15,6 @@ public final class HeapUsage implements Heap {
   /** Below this share of the heap, memory needs no closer look. */
   private static final double SCARCE = 0.6;
 
-  /**
-   * If more than this share of the old generation is used after a collection, memory is nearly
-   * full.
-   */
-  private static final double FULL = 0.92;
-
   private static final long MILLISECOND = 1_000_000;
 
   /** So many times memory is kept: somebody is asked, lets go of its jobs, then of its lobby. */
@@ -40,7 +34,7 @@ public final class HeapUsage implements Heap {
 
   private List<GarbageCollectorMXBean> collectors = List.of();
   private List<GarbageCollectorMXBean> oldCollectors = List.of();
-  private final CollectingShare share = new CollectingShare();
+  private final RoomLeft room = new RoomLeft();
   private final byte[] @Nullable [] reserves = new byte[RESERVES][];
 
   @Override
@@ -97,18 +91,23 @@ public final class HeapUsage implements Heap {
   @Override
   public boolean isNearlyFull(long now) {
     MemoryUsage left = oldGeneration().getCollectionUsage();
-    return left != null && left.getMax() > 0 && left.getUsed() > FULL * left.getMax()
-        || share.isTooMuch(now, collecting(), count(collectors));
+    double used = left != null && left.getMax() > 0 ? (double) left.getUsed() / left.getMax() : 0;
+    return room.isTooLittle(now, used, collecting(), count(collectors), collections());
   }
 
   @Override
   public boolean isExhausted() {
-    return free() < (1 - FULL) * Runtime.getRuntime().maxMemory();
+    return free() < (1 - RoomLeft.FULL) * Runtime.getRuntime().maxMemory();
   }
 
   @Override
   public void forget() {
-    share.forget();
+    room.forget();
+  }
+
+  @Override
+  public void expectRelief() {
+    room.expectRelief();
   }
 
   @Override

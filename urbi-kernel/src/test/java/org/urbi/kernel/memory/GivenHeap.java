@@ -6,6 +6,11 @@ import org.urbi.kernel.outside.Heap;
 final class GivenHeap implements Heap {
   boolean full;
 
+  /**
+   * Whether it only seems full until somebody has been asked, by the time that collections took.
+   */
+  boolean slow;
+
   /** Whether it may soon be full again, if it is not. */
   boolean scarce;
 
@@ -23,12 +28,17 @@ final class GivenHeap implements Heap {
 
   @Override
   public boolean isScarce() {
-    return full || scarce;
+    return full || scarce || slow;
   }
 
   @Override
   public boolean isNearlyFull(long now) {
-    return full;
+    return full || slow;
+  }
+
+  @Override
+  public void expectRelief() {
+    slow = false;
   }
 
   @Override

@@ -215,6 +215,35 @@ class MemoryRescueTest {
     assertFalse(told.contains("exhausted"), told);
   }
 
+  /**
+   * Collections that leave little room, and take much of the time, are measured anew after each
+   * step: nobody is let go for those that only look whether it has helped.
+   */
+  @Test
+  void whoeverIsAskedBecauseCollectionsTakeTooLongIsTheOnlyOne() {
+    heap.full = false;
+    heap.scarce = true;
+    heap.slow = true;
+    Kernel kernel = new Kernel("one", 10);
+    run(5, kernel);
+    assertEquals("0.25 one full\n0.25 one ended\n0.5 one free\n", events.toString());
+    assertEquals(0, heap.collections);
+    events.setLength(0);
+    heap.slow = true;
+    run(1, kernel);
+    assertEquals("5.25 one full\n5.25 one gone\n5.5 one free\n", events.toString());
+  }
+
+  /** They are no reason to end the process: it gets on, if slowly. */
+  @Test
+  void collectionsThatTakeTooLongForNobodyEndNothing() {
+    heap.full = false;
+    heap.slow = true;
+    run(0.25, new Kernel("idle", 0));
+    run(30, new Kernel("idle", 0));
+    assertEquals("0.25 idle full\n0.5 idle free\n", events.toString());
+  }
+
   /** Nobody asks for a collection when nobody allocates any more. */
   @Test
   void whatWasLeftAsGarbageDoesNotExhaustMemory() {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class CollectingShareTest {
   private static final long SECOND = 1_000_000_000;
 
-  private final CollectingShare share = new CollectingShare();
+  private final CollectingShare share = new CollectingShare(0.8);
 
   private boolean isTooMuch(double now, double collecting, int count) {
     return share.isTooMuch((long) (now * SECOND), (long) (collecting * SECOND), count);
