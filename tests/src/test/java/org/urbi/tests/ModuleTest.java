@@ -249,15 +249,17 @@ class ModuleTest {
         "Counter",
         COUNTER
             .replace("STEP", "1")
-            .replace("init(int start)", "init(urbi.UValue start)")
-            .replace("setValue(start)", "setValue(0)"),
+            .replace("private UVar count", "private UVar lobbys;\nprivate UVar count")
+            .replace("init(int start)", "init(urbi.UValue start, UVar lobbys)")
+            .replace("count.setValue(start)", "this.lobbys = lobbys;\ncount.setValue(0)"),
         folder.resolve("counter.jar"));
     kernel.eval("loadModule(\"counter\"); var Global.made = 0|;");
     for (int i = 0; i < 50; i++) {
       Connection connection = kernel.connect(new DeafClient());
-      // It is a slot of its lobby, has got the lobby as argument and value, and is watched.
+      // It is a slot of its lobby, has got the lobby as argument and value, uses a variable of it,
+      // and is watched.
       connection.send(
-          "var c = Counter.new([this])|; at (c.count > 5) {}; c.add(1)|;"
+          "UVar.new(this, \"own\")|; var c = Counter.new([this], this.&own)|; at (c.count > 5) {}; c.add(1)|;"
               + " var n = c.count| c.count = this| Global.made += n;");
       kernel.eval("waituntil (made > %d);".formatted(i));
       connection.close();

@@ -67,6 +67,9 @@ public sealed interface Entry {
    */
   record RoundCut(int jobs, int by) implements Entry {}
 
+  /** An object was missing, which the garbage collector had taken, at that look of the tick. */
+  record ObjectMissed(long look) implements Entry {}
+
   /**
    * Bytes went out.
    *

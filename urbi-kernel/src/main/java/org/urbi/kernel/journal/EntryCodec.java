@@ -28,6 +28,7 @@ public final class EntryCodec {
     add(11, Entry.RunStarted.class);
     add(12, Entry.JobGreedy.class);
     add(13, Entry.MessageTakenAtOnce.class);
+    add(14, Entry.ObjectMissed.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
     add(23, Message.ConsoleBytes.class);

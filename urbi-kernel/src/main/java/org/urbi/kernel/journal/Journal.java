@@ -97,6 +97,16 @@ public interface Journal {
     return wanted;
   }
 
+  /**
+   * Whether an object to which only a loose reference leads is missing; asked whenever somebody
+   * looks for one that has not been missed yet.
+   *
+   * @param gone whether the garbage collector has taken it; a replay has it still
+   */
+  default boolean misses(boolean gone) {
+    return gone;
+  }
+
   /** Records bytes that are sent out by that message receiver. */
   default void sent(int from, byte[] bytes) {}
 

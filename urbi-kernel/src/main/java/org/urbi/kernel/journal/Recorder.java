@@ -15,6 +15,7 @@ public final class Recorder implements Journal {
 
   private final RecordingWriter file;
   private long safepoints;
+  private long looks;
   private boolean ended;
 
   public Recorder(Entry.RunStarted beginning, RecordingWriter file) {
@@ -30,6 +31,7 @@ public final class Recorder implements Journal {
   @Override
   public long tick(long now) {
     safepoints = 0;
+    looks = 0;
     file.write(new Entry.Tick(now));
     return now;
   }
@@ -86,6 +88,15 @@ public final class Recorder implements Journal {
       file.write(new Entry.RoundCut(jobs, wanted));
     }
     return wanted;
+  }
+
+  @Override
+  public boolean misses(boolean gone) {
+    looks++;
+    if (gone) {
+      file.write(new Entry.ObjectMissed(looks));
+    }
+    return gone;
   }
 
   @Override

@@ -28,6 +28,7 @@ public final class Replay implements Journal {
   private long now;
   private long ticks;
   private long safepoints;
+  private long looks;
   private boolean over;
   private @Nullable String difference;
 
@@ -130,6 +131,7 @@ public final class Replay implements Journal {
         now = tick.now();
         ticks++;
         safepoints = 0;
+        looks = 0;
         advance();
       } else {
         differs("the tick is over");
@@ -204,6 +206,16 @@ public final class Replay implements Journal {
       return cut.by();
     }
     return over ? 0 : NOBODY;
+  }
+
+  @Override
+  public boolean misses(boolean gone) {
+    looks++;
+    if (next instanceof Entry.ObjectMissed missed && missed.look() == looks) {
+      advance();
+      return true;
+    }
+    return gone;
   }
 
   @Override

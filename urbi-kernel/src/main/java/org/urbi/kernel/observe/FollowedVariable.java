@@ -1,7 +1,7 @@
 package org.urbi.kernel.observe;
 
-import java.lang.ref.WeakReference;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.journal.LooseReference;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -9,13 +9,13 @@ import org.urbi.kernel.variable.UrbiUVar;
 /** A UVar, which is not kept alive by being followed. */
 final class FollowedVariable extends FollowedSlot {
   private final Interpreter interpreter;
-  private final WeakReference<UrbiUVar> variable;
+  private final LooseReference<UrbiUVar> variable;
   private long hook;
 
   FollowedVariable(VariableFeed feed, Interpreter interpreter, UrbiUVar variable, String path) {
     super(feed, path);
     this.interpreter = interpreter;
-    this.variable = new WeakReference<>(variable);
+    this.variable = new LooseReference<>(interpreter.scheduler().journal(), variable);
   }
 
   @Nullable UrbiUVar variable() {

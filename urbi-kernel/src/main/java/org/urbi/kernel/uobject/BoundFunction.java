@@ -70,16 +70,16 @@ final class BoundFunction extends Code {
     long started = statistics.begin();
     try {
       return whole == null
-          ? threaded(caller, site, arguments)
-          : direct(whole, caller, site, arguments);
+          ? threaded(caller, site, self, arguments)
+          : direct(whole, caller, site, self, arguments);
     } finally {
       statistics.end(started);
     }
   }
 
   private UrbiObject direct(
-      MethodHandle whole, Frame caller, CallSite site, UrbiObject[] arguments) {
-    Frame outer = context.crossing().leave(caller, callback.name());
+      MethodHandle whole, Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments) {
+    Frame outer = context.crossing().leave(caller, self, callback.name());
     UrbiObject result;
     try {
       result = (UrbiObject) whole.invokeExact(arguments);
@@ -91,17 +91,19 @@ final class BoundFunction extends Code {
     return result;
   }
 
-  private UrbiObject threaded(Frame caller, CallSite site, UrbiObject[] arguments) {
+  private UrbiObject threaded(
+      Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments) {
     try {
-      Object[] converted = converted(caller, arguments);
+      Object[] converted = converted(caller, self, arguments);
       return context.converters().result(ThreadedCall.await(context, caller, callback, converted));
     } catch (Throwable e) {
       throw JavaFailures.inFunction(context, caller, site, callback.name(), arguments, e);
     }
   }
 
-  private Object[] converted(Frame caller, UrbiObject[] arguments) throws Throwable {
-    Frame outer = context.crossing().leave(caller, callback.name());
+  private Object[] converted(Frame caller, UrbiObject self, UrbiObject[] arguments)
+      throws Throwable {
+    Frame outer = context.crossing().leave(caller, self, callback.name());
     try {
       return context.converters().arguments(callback, arguments);
     } finally {

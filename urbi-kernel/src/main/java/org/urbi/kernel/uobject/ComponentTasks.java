@@ -93,7 +93,7 @@ final class ComponentTasks {
     if (input) {
       variable.makeInput();
     }
-    return new PluggedSlot(context, variable, name);
+    return new PluggedSlot(context, frame, variable, name);
   }
 
   /** An event, which is created if need be. */

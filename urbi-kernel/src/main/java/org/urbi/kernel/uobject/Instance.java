@@ -1,12 +1,13 @@
 package org.urbi.kernel.uobject;
 
-import java.lang.ref.WeakReference;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.journal.LooseReference;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -30,7 +31,7 @@ final class Instance {
       implements UrbiObject.Companion {}
 
   private final String name;
-  private final WeakReference<UrbiObject> object;
+  private final LooseReference<UrbiObject> object;
   private final Map<String, BoundFunction> functions = new LinkedHashMap<>();
   private UClass type;
   private @Nullable UObject java;
@@ -40,10 +41,10 @@ final class Instance {
   /**
    * @param lobby the lobby for which it was created, and for which its own activities run
    */
-  Instance(String name, UClass type, UrbiObject object, UrbiObject lobby) {
+  Instance(String name, UClass type, UrbiObject object, UrbiObject lobby, Journal journal) {
     this.name = name;
     this.type = type;
-    this.object = new WeakReference<>(object);
+    this.object = new LooseReference<>(journal, object);
     object.setCompanion(new Origin(lobby, null, new HashSet<>(0)));
   }
 
@@ -54,11 +55,6 @@ final class Instance {
   /** The urbiscript object; null once it was garbage collected. */
   @Nullable UrbiObject object() {
     return object.get();
-  }
-
-  /** Goes on without the urbiscript object: it was garbage collected, perhaps in another run. */
-  void lose() {
-    object.clear();
   }
 
   /** The lobby it was created for; null once the urbiscript object was garbage collected. */
@@ -128,7 +124,7 @@ final class Instance {
 
   /** Whether urbiscript code listens to its variables or events. */
   boolean isListenedTo() {
-    UrbiObject listened = object();
+    UrbiObject listened = object.peek();
     if (listened == null) {
       return false;
     }

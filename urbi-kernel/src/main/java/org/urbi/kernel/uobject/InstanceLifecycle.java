@@ -138,15 +138,19 @@ public final class InstanceLifecycle {
   void create(Frame frame, Instance instance, UClass type) {
     pending.put(instance.name(), instance);
     try {
-      construct(frame, instance.name(), () -> type.create(instance.name()));
+      construct(frame, instance.object(), instance.name(), () -> type.create(instance.name()));
     } finally {
       pending.remove(instance.name());
     }
   }
 
-  /** Runs a constructor. */
-  <T> T construct(Frame frame, String name, Callable<T> constructor) {
-    Frame outer = context.crossing().leave(frame, "the constructor of " + name);
+  /**
+   * Runs a constructor.
+   *
+   * @param object what it is in urbiscript; null if it is nothing there
+   */
+  <T> T construct(Frame frame, @Nullable UrbiObject object, String name, Callable<T> constructor) {
+    Frame outer = context.crossing().leave(frame, object, "the constructor of " + name);
     try {
       return constructor.call();
     } catch (Throwable e) {

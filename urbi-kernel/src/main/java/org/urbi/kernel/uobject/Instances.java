@@ -3,7 +3,6 @@ package org.urbi.kernel.uobject;
 import static java.util.Objects.requireNonNull;
 
 import java.lang.ref.Cleaner;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,9 +38,6 @@ final class Instances {
   private final Map<String, Instance> byName = new LinkedHashMap<>();
   private final Map<UrbiObject, Instance> byObject = new WeakHashMap<>();
 
-  /** What a replay keeps until it was garbage collected in the recorded run. */
-  private final Map<Instance, UrbiObject> kept = new HashMap<>(0);
-
   /**
    * @param onGone called for each one whose urbiscript object was garbage collected
    */
@@ -58,12 +54,9 @@ final class Instances {
 
   /** Registers an object, under a name that no other one has. */
   Instance add(String name, UClass type, UrbiObject object, UrbiObject lobby) {
-    Instance instance = new Instance(name, type, object, lobby);
+    Instance instance = new Instance(name, type, object, lobby, journal);
     byName.put(name, instance);
     byObject.put(object, instance);
-    if (journal.isReplay()) {
-      kept.put(instance, object);
-    }
     setSlot(object, world.symbol("__uobjectName"), world.values().string(Utf8Text.toUrbi(name)));
     return instance;
   }
@@ -119,9 +112,7 @@ final class Instances {
   /** The urbiscript object of that name was reported as garbage collected. */
   void gone(String name) {
     Instance instance = byName.get(name);
-    if (instance != null && journal.ask(() -> instance.object() == null)) {
-      kept.remove(instance);
-      instance.lose();
+    if (instance != null && instance.object() == null) {
       onGone.accept(instance);
     }
   }
@@ -129,7 +120,6 @@ final class Instances {
   /** Forgets an object. */
   void remove(Instance instance) {
     byName.remove(instance.name());
-    kept.remove(instance);
     UrbiObject object = instance.object();
     if (object != null) {
       byObject.remove(object);
@@ -177,12 +167,18 @@ final class Instances {
   }
 
   /**
-   * Has the object whose slot a variable provides keep it: then nobody else needs to, and the
-   * variable may lead to the object. False if that is not one of these objects.
+   * Has an object keep a variable: the one whose slot it provides, or else the one whose component
+   * uses it. Then nobody else needs to, and the variable may lead to the object. False if neither
+   * is one of these objects.
+   *
+   * @param user null if that is not known
    */
-  boolean keep(UrbiUVar variable) {
-    UrbiObject owner = variable.owner();
-    Instance instance = owner == null ? null : byObject.get(owner);
+  boolean keep(UrbiUVar variable, @Nullable UrbiObject user) {
+    return keepsFor(variable.owner(), variable) || keepsFor(user, variable);
+  }
+
+  private boolean keepsFor(@Nullable UrbiObject keeper, UrbiUVar variable) {
+    Instance instance = keeper == null ? null : byObject.get(keeper);
     if (instance == null) {
       return false;
     }

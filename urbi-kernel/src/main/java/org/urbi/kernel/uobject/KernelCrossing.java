@@ -15,6 +15,7 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 import urbi.UContext;
 
@@ -56,10 +57,20 @@ final class KernelCrossing {
    * @param function the name of the function, for messages
    */
   @Nullable Frame leave(Frame caller, String function) {
+    return leave(caller, null, function);
+  }
+
+  /**
+   * The same for Java code of an object.
+   *
+   * @param self that object in urbiscript
+   */
+  @Nullable Frame leave(Frame caller, @Nullable UrbiObject self, String function) {
     JavaCallState callState = JavaCallState.of(caller.job());
     Frame outer = callState.caller;
     callState.caller = caller;
     if (outer == null) {
+      callState.self = self;
       UContext.enter(context);
       KernelThreadPin.pin();
       caller.job().componentCode().enter(function);
@@ -72,6 +83,7 @@ final class KernelCrossing {
     JavaCallState callState = JavaCallState.of(caller.job());
     callState.caller = outer;
     if (outer == null) {
+      callState.self = null;
       KernelThreadPin.unpin();
     }
     ControlFlowException unwinding = callState.unwinding;
@@ -139,6 +151,7 @@ final class KernelCrossing {
     if (caller == null) {
       return task.apply(Frame.top(interpreter, job, job.lobby(), new FrameLayout()));
     }
+    UrbiObject self = callState.self;
     callState.caller = null;
     KernelThreadPin.unpin();
     String function = job.componentCode().enter(null);
@@ -151,7 +164,13 @@ final class KernelCrossing {
       job.componentCode().enter(function);
       KernelThreadPin.pin();
       callState.caller = caller;
+      callState.self = self;
     }
+  }
+
+  /** The object in urbiscript whose Java code a job executes; null if that is not known. */
+  static @Nullable UrbiObject self(Job job) {
+    return JavaCallState.of(job).self;
   }
 
   /**

@@ -62,7 +62,7 @@ public final class ObjectAccess {
   public @Nullable USlot variable(Frame frame, String name) {
     VariableLookup.Place place = context.variables().place(frame, name);
     UrbiUVar variable = UrbiUVar.behind(place.owner(), place.slot());
-    return variable == null ? null : new PluggedSlot(context, variable, name);
+    return variable == null ? null : new PluggedSlot(context, frame, variable, name);
   }
 
   /**

@@ -18,6 +18,7 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
@@ -85,9 +86,9 @@ public final class PluggedContext implements UContext {
     this.tasks = new ComponentTasks(this);
     this.requests = new KernelRequests(interpreter, tasks);
     this.crossing = new KernelCrossing(this, interpreter, requests, nativeThread);
-    this.objects =
-        new Instances(interpreter.world(), scheduler.inbox(), scheduler.journal(), this::gone);
-    this.variables = new VariableLookup(interpreter.world(), objects);
+    Journal journal = scheduler.journal();
+    this.objects = new Instances(interpreter.world(), scheduler.inbox(), journal, this::gone);
+    this.variables = new VariableLookup(interpreter.world(), objects, journal);
     this.conversion = new ValueConversion(this);
     this.connections = new ConnectionList(scheduler);
     this.statistics = new CallStatistics(scheduler::measure);
@@ -346,7 +347,7 @@ public final class PluggedContext implements UContext {
       if (before != null) {
         periods.end(before);
       }
-      UObjectHub hub = creation.construct(frame, type.name(), type::create);
+      UObjectHub hub = creation.construct(frame, null, type.name(), type::create);
       hubs.put(type.name(), hub);
       return null;
     });

@@ -1,11 +1,11 @@
 package org.urbi.kernel.uobject;
 
-import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.journal.LooseReference;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
@@ -28,8 +28,8 @@ final class PluggedSlot implements USlot {
   private final PluggedContext context;
   private final KernelCrossing crossing;
 
-  /** The variable, which leads to the object whose slot it provides, if that keeps it. */
-  private final WeakReference<UrbiUVar> reference;
+  /** The variable, which leads to the object that keeps it, if one does. */
+  private final LooseReference<UrbiUVar> reference;
 
   /** The variable, if nobody else keeps it. */
   private @Nullable UrbiUVar kept;
@@ -41,11 +41,12 @@ final class PluggedSlot implements USlot {
   private volatile boolean bypass;
   private double lastWritten = Double.NaN;
 
-  PluggedSlot(PluggedContext context, UrbiUVar variable, String name) {
+  PluggedSlot(PluggedContext context, Frame frame, UrbiUVar variable, String name) {
     this.context = context;
     this.crossing = context.crossing();
-    this.reference = new WeakReference<>(variable);
-    this.kept = context.objects().keep(variable) ? null : variable;
+    this.reference = new LooseReference<>(context.interpreter().scheduler().journal(), variable);
+    boolean held = context.objects().keep(variable, KernelCrossing.self(frame.job()));
+    this.kept = held ? null : variable;
     this.name = name;
     this.number = context.tasks().number(this);
   }
@@ -56,8 +57,8 @@ final class PluggedSlot implements USlot {
   }
 
   /**
-   * The variable. Once the object that had it was garbage collected, another one without value: the
-   * component may go on until it is told.
+   * The variable. Once the object that kept it was garbage collected, another one without value:
+   * the component may go on until it is told. That this is so is in the recording of a run.
    */
   UrbiUVar behind() {
     UrbiUVar variable = kept == null ? reference.get() : kept;

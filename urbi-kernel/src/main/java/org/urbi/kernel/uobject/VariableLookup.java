@@ -1,10 +1,11 @@
 package org.urbi.kernel.uobject;
 
-import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.journal.LooseReference;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -23,15 +24,17 @@ final class VariableLookup {
 
   private final World world;
   private final Instances objects;
+  private final Journal journal;
 
   /** Variables of objects that have no name by which they could be found. */
-  private final Map<String, WeakReference<UrbiUVar>> handedOut = new HashMap<>();
+  private final Map<String, LooseReference<UrbiUVar>> handedOut = new HashMap<>();
 
   private int tidyAt = FEW;
 
-  VariableLookup(World world, Instances objects) {
+  VariableLookup(World world, Instances objects, Journal journal) {
     this.world = world;
     this.objects = objects;
+    this.journal = journal;
   }
 
   /**
@@ -40,7 +43,7 @@ final class VariableLookup {
    * @throws IllegalArgumentException if there is no such object
    */
   UrbiUVar find(Frame frame, String name) {
-    WeakReference<UrbiUVar> handed = handedOut.get(name);
+    LooseReference<UrbiUVar> handed = handedOut.get(name);
     UrbiUVar known = handed == null ? null : handed.get();
     return known != null ? known : behind(frame, place(frame, name));
   }
@@ -99,11 +102,11 @@ final class VariableLookup {
   /** A name of a variable by which it can be found as long as it exists. */
   String handOut(UrbiUVar variable) {
     if (handedOut.size() >= tidyAt) {
-      handedOut.values().removeIf(reference -> reference.refersTo(null));
+      handedOut.values().removeIf(reference -> reference.get() == null);
       tidyAt = Math.max(FEW, 2 * handedOut.size());
     }
     String name = Utf8Text.toJava(variable.name());
-    handedOut.put(name, new WeakReference<>(variable));
+    handedOut.put(name, new LooseReference<>(journal, variable));
     return name;
   }
 

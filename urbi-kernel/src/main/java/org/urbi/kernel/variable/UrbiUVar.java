@@ -2,7 +2,6 @@ package org.urbi.kernel.variable;
 
 import static java.util.Objects.requireNonNull;
 
-import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -39,19 +38,15 @@ import org.urbi.kernel.object.UrbiObject;
  * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a
  * sensed value, which its owner writes and everybody reads.
  *
- * <p>It does not keep alive the objects whose slots it provides.
+ * <p>It keeps alive the objects whose slots it provides: who has the variable can write it, and
+ * handlers of those slots run then.
  */
 public final class UrbiUVar extends UrbiObject {
   /** A slot whose value the variable provides. */
-  private record Place(WeakReference<UrbiObject> owner, WeakReference<SlotData> slot) {
-    Place(UrbiObject owner, SlotData slot) {
-      this(new WeakReference<>(owner), new WeakReference<>(slot));
-    }
-
-    /** The data of the slot; null if the slot or its object no longer exists. */
+  private record Place(UrbiObject owner, SlotData slot) {
+    /** The data of the slot; null if the slot no longer exists. */
     @Nullable SlotData data() {
-      SlotData data = slot.get();
-      return data == null || data.isRemoved() ? null : data;
+      return slot.isRemoved() ? null : slot;
     }
   }
 
@@ -167,9 +162,9 @@ public final class UrbiUVar extends UrbiObject {
     return name;
   }
 
-  /** The object of its first slot; null if there is none, or it no longer exists. */
+  /** The object of its first slot; null if there is none. */
   public @Nullable UrbiObject owner() {
-    return places.isEmpty() ? null : places.getFirst().owner.get();
+    return places.isEmpty() ? null : places.getFirst().owner;
   }
 
   /** The lobby for which the access loop reads it. */
