@@ -4,7 +4,6 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Interpreter;
@@ -23,12 +22,6 @@ import org.urbi.lang.source.Span;
 
 /** Compiles expressions. */
 final class Expressions {
-  /**
-   * Functions that execute their argument in another job are likely to have these names. That is a
-   * hint to prepare for it what costs something; the slot that is found decides what is done.
-   */
-  private static final Set<String> DETACHING = Set.of("detach", "disown");
-
   private final Compilation compilation;
 
   Expressions(Compilation compilation) {
@@ -133,15 +126,15 @@ final class Expressions {
   }
 
   /**
-   * Compiles arguments. Arguments that may be executed as jobs share their variables with the
-   * caller.
+   * Compiles arguments. What may be executed as a job shares its variables with the caller. An
+   * expression hardly ever is: if it is after all, its variables are shared only then ({@link
+   * org.urbi.kernel.node.Frame#shareLocals}).
    */
   private Node[] all(Ast.Message message, List<Ast> arguments, LexicalScope block) {
-    boolean detaching = DETACHING.contains(message.name());
     boolean operator = isOperator(message.name());
     return arguments.stream()
         .map(argument -> {
-          boolean job = detaching || !operator && isStatement(argument);
+          boolean job = !operator && isStatement(argument);
           Node code = operand(argument, job ? block.job(compilation.newRegion()) : block);
           return argument instanceof Ast.Scope
               ? new Sequences.Located(argument.span(), code)

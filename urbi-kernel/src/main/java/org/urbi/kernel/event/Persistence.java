@@ -36,6 +36,7 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
    * @param shown the object whose slot {@code val} shows the result
    */
   public static void watch(Frame frame, Node expression, long hold, UrbiObject shown) {
+    frame.shareLocals();
     Frame home = frame.fork(frame.job(), false);
     var persistence = new Persistence(home, expression, hold, shown);
     persistence.scope.add(persistence);

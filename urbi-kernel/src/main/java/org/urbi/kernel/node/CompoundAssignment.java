@@ -234,7 +234,7 @@ public final class CompoundAssignment extends Node implements CallSite {
           operand == null
               ? successor(frame, before)
               : combined(frame, before, ArgumentEvaluation.notVoid(frame, operand, span()));
-      frame.locals[local] = after;
+      SharedLocal.store(frame.locals, local, after);
       return operand == null ? before : after;
     } catch (UrbiException e) {
       throw frame.located(e, span());

@@ -243,6 +243,20 @@ public final class Frame implements Place {
     return waited || (function != null && function.usesCall());
   }
 
+  /**
+   * Shares the plain variables that there are with the copies that are made from now on, since
+   * other jobs execute code with them.
+   */
+  public void shareLocals() {
+    exposeLocals();
+    for (int i = 0; i < locals.length; i++) {
+      @Nullable UrbiObject value = locals[i];
+      if (value != null && !(value instanceof SharedLocal)) {
+        locals[i] = new SharedLocal(value);
+      }
+    }
+  }
+
   /** The same activation with the same variables, for code that another job evaluates. */
   public Frame in(Job evaluator) {
     return evaluator == job

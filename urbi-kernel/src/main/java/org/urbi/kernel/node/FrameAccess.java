@@ -30,17 +30,27 @@ abstract class FrameAccess extends Node {
   /** The value of a variable in the frame. */
   protected static UrbiObject local(UrbiObject[] locals, int index, UrbiObject nothing) {
     @Nullable UrbiObject value = locals[index];
+    if (value instanceof SharedLocal shared) {
+      return shared.get();
+    }
     return value == null ? nothing : value;
   }
 
   /** The value of a variable in the frame. */
   protected static UrbiObject read(Frame frame, int index) {
-    @Nullable UrbiObject value = locals(frame)[index];
-    return value == null ? frame.interpreter.values().voidObject : value;
+    return local(locals(frame), index, frame.interpreter.values().voidObject);
   }
 
   /** Writes a pair to a variable in the frame; returns the object, which it has from now on. */
   protected static UrbiObject write(
+      double number, @Nullable UrbiObject object, Frame frame, int index) {
+    UrbiObject value = object(number, object, frame.interpreter.values());
+    SharedLocal.store(locals(frame), index, value);
+    return value;
+  }
+
+  /** Likewise for a variable that begins here. */
+  protected static UrbiObject begin(
       double number, @Nullable UrbiObject object, Frame frame, int index) {
     UrbiObject value = object(number, object, frame.interpreter.values());
     locals(frame)[index] = value;

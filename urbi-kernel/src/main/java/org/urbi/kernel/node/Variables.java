@@ -40,6 +40,9 @@ public final class Variables {
     @Override
     public UrbiObject execute(Frame frame) {
       @Nullable UrbiObject value = frame.locals[index];
+      if (value instanceof SharedLocal shared) {
+        return shared.get();
+      }
       return value == null ? frame.interpreter.values().voidObject : value;
     }
   }
@@ -133,7 +136,7 @@ public final class Variables {
       if (shared) {
         cell(frame, index).set(value);
       } else {
-        frame.locals[index] = value;
+        SharedLocal.store(frame.locals, index, value);
       }
     }
   }

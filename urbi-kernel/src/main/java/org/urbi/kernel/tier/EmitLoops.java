@@ -264,7 +264,7 @@ final class EmitLoops {
         to.code.aconst_null().astore(variable.object());
         to.code.labelBinding(set);
         to.code.dload(turn).dconst_1().dadd().dstore(turn);
-        to.afterStore(variable);
+        to.afterDeclaration(variable);
       }
 
       @Override

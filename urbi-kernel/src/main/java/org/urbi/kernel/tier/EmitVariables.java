@@ -46,7 +46,10 @@ final class EmitVariables {
       to.help("declare", CD_void, Names.FRAME, Names.OBJECT, Names.PLACE);
       return value;
     }
-    return assigned(declaration.place().declaredLocal(), declaration.value(), declaration);
+    Value variable =
+        computed(declaration.place().declaredLocal(), declaration.value(), declaration);
+    to.afterDeclaration(variable);
+    return variable;
   }
 
   Value value(Variables.Assign assignment) {
@@ -55,7 +58,9 @@ final class EmitVariables {
       to.located(assignment, () -> assign(assignment.place(), value));
       return value;
     }
-    return assigned(assignment.place().local(), assignment.value(), assignment);
+    Value variable = computed(assignment.place().local(), assignment.value(), assignment);
+    to.afterStore(variable);
+    return variable;
   }
 
   /** {@code a += b} and {@code a++} of a variable that closures or other jobs can reach. */
@@ -102,7 +107,7 @@ final class EmitVariables {
     return to.storedObject();
   }
 
-  private Value assigned(int index, @Nullable Node node, Node at) {
+  private Value computed(int index, @Nullable Node node, Node at) {
     Value variable = to.variable(index);
     Value value = node == null ? to.voidValue() : to.operand(node);
     if (node != null && value.hasObject()) {
@@ -111,7 +116,6 @@ final class EmitVariables {
     if (value.variable() != index) {
       to.copy(value, variable);
     }
-    to.afterStore(variable);
     return variable;
   }
 }

@@ -403,10 +403,19 @@ final class Emitter extends CodeWriter {
 
   /** A variable has changed: whoever has unevaluated arguments of this code sees it. */
   void afterStore(Value variable) {
+    tell(variable, "write");
+  }
+
+  /** A variable begins: others may go on with the one that was there before, in another turn. */
+  void afterDeclaration(Value variable) {
+    tell(variable, "begin");
+  }
+
+  private void tell(Value variable, String how) {
     if (survey.mayExpose(variable.variable())) {
       Label over = code.newLabel();
       ifExposed(over);
-      write(variable);
+      put(variable, how);
       code.labelBinding(over);
     }
   }
@@ -432,11 +441,15 @@ final class Emitter extends CodeWriter {
 
   /** Writes a variable to the frame, and keeps the object that it may get. */
   private void write(Value variable) {
+    put(variable, "write");
+  }
+
+  private void put(Value variable, String how) {
     pushPair(variable);
     frame();
     code.loadConstant(variable.variable());
     help(
-        "write",
+        how,
         Names.OBJECT,
         ConstantDescs.CD_double,
         Names.OBJECT,

@@ -98,6 +98,9 @@ public final class ControlType {
       Frame frame, @Nullable CallSite how, TagScope scope, Consumer<Frame> action) {
     var body = new ForkedCode(action);
     Job job = frame.job().scheduler().startAhead(frame.job().lobby(), scope, "shell", body);
+    if (how != null) {
+      frame.shareLocals();
+    }
     body.runWith(how == null ? frame.fork(job, false) : frame.detach(job, how));
     return job;
   }
