@@ -11,6 +11,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Variables;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.ast.Declaring;
 import org.urbi.lang.source.Span;
 
 /**
@@ -24,7 +25,7 @@ import org.urbi.lang.source.Span;
 public final class Compilation {
   private final Interpreter interpreter;
   private final Imports imports;
-  private final Set<Object> sharedKeys = Collections.newSetFromMap(new IdentityHashMap<>());
+  private final Set<Declaring> sharedKeys = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean learned;
   private int regions;
   final Statements statements;
@@ -115,7 +116,7 @@ public final class Compilation {
   }
 
   /** Declares a variable in a block. */
-  LocalVariable declare(LexicalScope block, String name, Object key) {
+  LocalVariable declare(LexicalScope block, String name, Declaring key) {
     boolean shared = sharedKeys.contains(key);
     FrameLayout layout = block.unit().layout();
     int index = shared ? layout.addCell() : layout.addLocal();
@@ -128,7 +129,7 @@ public final class Compilation {
    * Whether the variable of a declaration must be kept in a cell, because a closure or another job
    * uses it.
    */
-  boolean isShared(Object key) {
+  boolean isShared(Declaring key) {
     return sharedKeys.contains(key);
   }
 

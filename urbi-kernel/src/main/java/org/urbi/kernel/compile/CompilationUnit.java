@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.FrameLayout;
+import org.urbi.lang.ast.Declaring;
 
 /**
  * A function, or a statement of the top level, being compiled: the code that runs in one
@@ -26,8 +27,8 @@ final class CompilationUnit {
   /** Whether there is a {@code return} in it, or in a closure in it. */
   boolean returns;
 
-  /** The key of the variable that holds the call message; null where there is no call message. */
-  @Nullable Object callKey;
+  /** Declares the variable that holds the call message; null where there is no call message. */
+  @Nullable Declaring callKey;
 
   /** Of the top level. */
   CompilationUnit() {

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.urbi.lang.ast.Declaring;
 
 /** A lexical scope during compilation. */
 final class LexicalScope {
@@ -17,7 +18,7 @@ final class LexicalScope {
   private final boolean parameters;
   private boolean calls;
   private final Map<String, LocalVariable> variables = new LinkedHashMap<>();
-  private @Nullable Map<Object, LocalVariable> begun;
+  private @Nullable Map<Declaring, LocalVariable> begun;
   private @Nullable List<Import> imports;
 
   private LexicalScope(
@@ -155,7 +156,7 @@ final class LexicalScope {
   }
 
   /** Notes that another block has already created the variable of a declaration of this block. */
-  void addBegun(Object key, LocalVariable variable) {
+  void addBegun(Declaring key, LocalVariable variable) {
     if (begun == null) {
       begun = new IdentityHashMap<>();
     }
@@ -163,7 +164,7 @@ final class LexicalScope {
   }
 
   /** The variable of a declaration, if another block has created it; or null. */
-  @Nullable LocalVariable begun(Object key) {
+  @Nullable LocalVariable begun(Declaring key) {
     for (LexicalScope block = this; block != null; block = block.parent) {
       if (block.begun != null && block.begun.containsKey(key)) {
         return block.begun.get(key);

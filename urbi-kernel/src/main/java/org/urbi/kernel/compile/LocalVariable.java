@@ -1,10 +1,12 @@
 package org.urbi.kernel.compile;
 
+import org.urbi.lang.ast.Declaring;
+
 /** A local variable, identified by its declaration. */
 final class LocalVariable {
   private final CompilationUnit unit;
   private final int region;
-  private final Object key;
+  private final Declaring key;
   private final boolean shared;
   private final int index;
 
@@ -12,7 +14,7 @@ final class LocalVariable {
    * @param key the declaration in the tree
    * @param shared whether it is kept in a cell
    */
-  LocalVariable(CompilationUnit unit, int region, Object key, boolean shared, int index) {
+  LocalVariable(CompilationUnit unit, int region, Declaring key, boolean shared, int index) {
     this.unit = unit;
     this.region = region;
     this.key = key;
@@ -28,7 +30,7 @@ final class LocalVariable {
     return region;
   }
 
-  Object key() {
+  Declaring key() {
     return key;
   }
 

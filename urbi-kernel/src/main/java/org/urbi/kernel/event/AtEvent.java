@@ -137,7 +137,7 @@ public final class AtEvent extends Node {
   }
 
   /** An emission that has been accepted, or will be if it lasts long enough. */
-  private static final class Waiting {
+  static final class Waiting implements EmissionNote {
     Timers.@Nullable Timer timer;
     @Nullable Frame entered;
   }

@@ -9,7 +9,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
 
 /** One emission of an event: it begins, may last for some time, and ends. */
-public final class Emission {
+public final class Emission implements EmissionNote {
   private final UrbiEvent event;
   private final UrbiObject[] payload;
   private final boolean sync;
@@ -17,7 +17,7 @@ public final class Emission {
   /** For which subscriptions it has begun and must end. */
   private List<Subscription> told = List.of();
 
-  private @Nullable Map<Subscription, Object> notes;
+  private @Nullable Map<Subscription, EmissionNote> notes;
   private boolean over;
 
   Emission(UrbiEvent event, UrbiObject[] payload, boolean sync) {
@@ -71,16 +71,16 @@ public final class Emission {
     }
   }
 
-  /** Stores a value for a subscription, until the end of the emission. */
-  public void note(Subscription subscription, Object note) {
+  /** Keeps a note of a subscription, until the end of the emission. */
+  public void note(Subscription subscription, EmissionNote note) {
     if (notes == null) {
       notes = new IdentityHashMap<>();
     }
     notes.put(subscription, note);
   }
 
-  /** The value stored for a subscription, or null. */
-  public @Nullable Object noted(Subscription subscription) {
+  /** The note of a subscription, or null. */
+  public @Nullable EmissionNote noted(Subscription subscription) {
     return notes == null ? null : notes.get(subscription);
   }
 }

@@ -10,6 +10,9 @@ import org.urbi.kernel.object.Values;
 
 /** Functions that are called when an event is emitted, and when the emission is over. */
 public final class FunctionHandler implements Subscription, Reaction {
+  /** An emission that the guard has accepted, with what the functions are called with. */
+  record Matched(UrbiObject[] arguments) implements EmissionNote {}
+
   private final UrbiEvent event;
   private final Frame home;
   private final TagScope scope;
@@ -81,7 +84,7 @@ public final class FunctionHandler implements Subscription, Reaction {
     }
     UrbiObject[] arguments = {event, payload, matched};
     if (leave != null) {
-      emission.note(this, arguments);
+      emission.note(this, new Matched(arguments));
     }
     occurrences.note(emitter.scheduler().now());
     run(emission, emitter, enter, arguments);
@@ -89,8 +92,8 @@ public final class FunctionHandler implements Subscription, Reaction {
 
   @Override
   public void end(Emission emission, Job emitter) {
-    if (leave != null && !stopped && emission.noted(this) instanceof UrbiObject[] arguments) {
-      run(emission, emitter, leave, arguments);
+    if (leave != null && !stopped && emission.noted(this) instanceof Matched matched) {
+      run(emission, emitter, leave, matched.arguments);
     }
   }
 

@@ -135,7 +135,7 @@ public final class WaitUntil extends Node {
   }
 
   /** Waits for an event. */
-  private static final class ForEvent implements Subscription {
+  static final class ForEvent implements Subscription, EmissionNote {
     private final Waiting waiting;
     private final EventFilter filter;
     private final UrbiObject lobby;

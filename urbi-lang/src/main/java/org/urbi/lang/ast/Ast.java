@@ -12,10 +12,7 @@ import org.urbi.lang.source.Span;
  * on them as the kernel does. A {@code null} component means "absent in the source" and is
  * documented where it may happen.
  */
-public sealed interface Ast {
-  /** Where the node was written. */
-  Span span();
-
+public sealed interface Ast extends Declaring {
   /** Calls the method of the visitor that is for this kind of node. */
   <R> R accept(AstVisitor<R> visitor);
 
@@ -256,7 +253,8 @@ public sealed interface Ast {
    * @param type the type of {@code var x : Type}, or null
    */
   record Formal(
-      Span span, String name, @Nullable Ast defaultValue, boolean variadic, @Nullable Ast type) {}
+      Span span, String name, @Nullable Ast defaultValue, boolean variadic, @Nullable Ast type)
+      implements Declaring {}
 
   /**
    * {@code class lvalue : protos {…}}.
