@@ -241,13 +241,16 @@ class RunQueue {
 
   /**
    * Adds a job that runs next, because the running job has started it, and what follows may rely on
-   * what it does first: even if the round is cut short before.
+   * what it does first: even if the round is cut short before. In a rush one of another lobby waits
+   * behind the jobs of that lobby: it must not overtake one that has been started before, such as
+   * the reaction to an earlier event.
    */
   void addToRound(Job job) {
     JobList queue = queueFor(job);
-    if (queue.addFirst(job.turn)) {
+    boolean next = !rushing || queue == current.jobs;
+    if (next ? queue.addFirst(job.turn) : queue.add(job.turn)) {
       count(queue);
-      if (!rushing || queue == current.jobs) {
+      if (next) {
         left++;
         fresh++;
       }

@@ -332,8 +332,24 @@ class RunQueueTest {
     queue.addToRound(job("a0"));
     queue.addToRound(job("b0"));
     queue.addToRound(job("c1"));
-    assertEquals("b0 a0 " + names("a", 8, 30), rest(0));
+    assertEquals("b0 " + names("a", 8, 30) + " a0", rest(0));
     assertEquals("c1", round(0));
+  }
+
+  /** Two jobs emit an event, and the reactions are jobs of another lobby. */
+  @Test
+  void inARushReactionsOfAnotherLobbyKeepTheirOrder() {
+    rush();
+    add("b2");
+    queue.beginRound(false);
+    assertEquals("b1", names.get(queue.next()));
+    queue.addToRound(job("a31"));
+    queue.addToRound(job("c1"));
+    assertEquals("b2", names.get(queue.next()));
+    queue.addToRound(job("a32"));
+    queue.addToRound(job("c2"));
+    assertEquals(names("a", 8, 32), rest(0));
+    assertEquals("c1 c2", round(0));
   }
 
   /** Four lobbies whose jobs take 4 ms each: two in a round, and the others in the next one. */
