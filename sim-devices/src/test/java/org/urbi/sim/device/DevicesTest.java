@@ -322,6 +322,27 @@ class DevicesTest {
     assertTrue(number("sleep(1s) | s.world.time") > halted + 0.5);
   }
 
+  /** A key that is let go and another one that is pressed, at once: nothing of both is mixed. */
+  @Test
+  void lastOfTheOrdersOfOneMomentCounts() {
+    kernel.eval("var Global.page = s.showPage(0, nil)");
+    double fast = drivenBy("drive 1 0");
+    assertTrue(fast > 1, "" + fast);
+    assertEquals(0, drivenBy("drive 1 0", "drive 0 0"), 0.01, "let go");
+    assertEquals(fast, drivenBy("drive 0 0", "drive 1 0"), 0.01, "pressed");
+    assertEquals(-fast, drivenBy("drive 1 0", "drive 0 0", "drive -1 0"), 0.01, "and back");
+    assertEquals(0, drivenBy("drive -1 0", "drive 1 0", "drive 0 0"), 0.01, "let go again");
+  }
+
+  /** How fast a wheel is after orders that come in one cycle. */
+  private double drivenBy(String... orders) {
+    StringBuilder all = new StringBuilder();
+    for (String order : orders) {
+      all.append("page.obey(\"nobody\", \"").append(order).append("\") | ");
+    }
+    return number(all + "sleep(1s) | wheelL.val");
+  }
+
   @Test
   void simulationWithAPageIsKept() {
     String name = ".__uobjectName";
