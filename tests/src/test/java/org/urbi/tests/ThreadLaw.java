@@ -6,12 +6,17 @@ import static java.util.Map.entry;
 
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import java.lang.reflect.Method;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Threads are made in two places, which log what ends one and tell who depends on it: {@code
- * GuardedThreads}, and {@code NetworkLoop} for those of Netty. Nothing ends in silence.
+ * GuardedThreads}, and {@code NetworkLoop} for those of Netty. Nothing ends in silence, nor does
+ * what streams do with answers that come later.
  */
 final class ThreadLaw {
   private ThreadLaw() {}
@@ -48,4 +53,23 @@ final class ThreadLaw {
           .doNotHaveFullyQualifiedName("org.urbi.kernel.memory.MemoryWatchdog")
           .should()
           .accessTargetWhere(are(ArchitectureTest.callsOf("what makes threads", MAKERS)));
+
+  /** What one of these throws is kept in a stage that nobody asks, or logged by Netty at most. */
+  private static final Map<String, Set<String>> LATER =
+      Map.of(
+          "java.util.concurrent.CompletableFuture",
+          Stream.of(CompletionStage.class.getMethods())
+              .map(Method::getName)
+              .filter(name -> !name.equals("toCompletableFuture"))
+              .collect(Collectors.toSet()));
+
+  @ArchTest
+  static final ArchRule streamsDoLaterWhatIsGuarded =
+      noClasses()
+          .that()
+          .resideInAnyPackage("org.urbi.server.studio..", "org.urbi.web..", "org.urbi.sim.page..")
+          .and()
+          .doNotHaveFullyQualifiedName("org.urbi.server.studio.access.LateAnswers")
+          .should()
+          .accessTargetWhere(are(ArchitectureTest.callsOf("what is done later", LATER)));
 }

@@ -2,9 +2,11 @@ package org.urbi.server.studio;
 
 import io.netty.channel.Channel;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.Connection;
+import org.urbi.server.studio.access.LateAnswers;
 
 /** What a browser does with code: runs and stops it, has it checked and completed. */
 final class CodeDesk {
@@ -29,34 +31,27 @@ final class CodeDesk {
       case Request.Stop stop -> stop(stop);
       case Request.Check check -> check(check);
       case Request.Complete wanted ->
-          connection
-              .propose(wanted.text())
-              .thenAcceptAsync(
-                  found -> send(CodeAnswer.proposals(wanted.id(), found)), channel.eventLoop());
+          LateAnswers.take(
+              channel,
+              connection.propose(wanted.text()),
+              found -> send(CodeAnswer.proposals(wanted.id(), found)));
     }
   }
 
   private void run(Request.Run request) {
     Connection.CodeRun run = connection.run(request.file(), request.code());
     send(CodeAnswer.begun(request.id(), run));
-    run.end()
-        .thenAcceptAsync(end -> send(CodeAnswer.ended(request.id(), end)), channel.eventLoop());
+    LateAnswers.take(channel, run.end(), end -> send(CodeAnswer.ended(request.id(), end)));
   }
 
   /** Code that never lets others run would not be reached by the wish to end it. */
   private void stop(Request.Stop request) {
+    Runnable interrupt = LateAnswers.guarding(channel, connection::interrupt);
     Future<?> interruption =
-        channel.eventLoop().schedule(() -> connection.interrupt(), PATIENCE, TimeUnit.MILLISECONDS);
-    connection
-        .stop(request.run())
-        .whenCompleteAsync(
-            (error, failure) -> {
-              interruption.cancel(false);
-              if (error != null) {
-                send(Answer.done(request.id(), error));
-              }
-            },
-            channel.eventLoop());
+        channel.eventLoop().schedule(interrupt, PATIENCE, TimeUnit.MILLISECONDS);
+    CompletableFuture<String> stopped = connection.stop(request.run());
+    LateAnswers.whenDone(channel, stopped, (error, failure) -> interruption.cancel(false));
+    LateAnswers.take(channel, stopped, error -> send(Answer.done(request.id(), error)));
   }
 
   private void check(Request.Check request) {
@@ -65,17 +60,16 @@ final class CodeDesk {
       return;
     }
     checking = true;
-    syntax
-        .check(request.code())
-        .whenCompleteAsync(
-            (mistakes, failure) -> {
-              checking = false;
-              send(
-                  failure != null
-                      ? Answer.done(request.id(), SyntaxCheck.reason(failure))
-                      : CodeAnswer.mistakes(request.id(), mistakes));
-            },
-            channel.eventLoop());
+    LateAnswers.whenDone(
+        channel,
+        syntax.check(request.code()),
+        (mistakes, failure) -> {
+          checking = false;
+          send(
+              failure != null
+                  ? Answer.done(request.id(), SyntaxCheck.reason(failure))
+                  : CodeAnswer.mistakes(request.id(), mistakes));
+        });
   }
 
   private void send(String text) {

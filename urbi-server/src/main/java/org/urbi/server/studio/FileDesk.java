@@ -6,6 +6,7 @@ import java.util.concurrent.RejectedExecutionException;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.trust.Role;
+import org.urbi.server.studio.access.LateAnswers;
 import org.urbi.server.studio.files.FileRefused;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.files.SourceFiles;
@@ -55,14 +56,13 @@ final class FileDesk {
   }
 
   private void begin(SourceFiles files, Request.OfFiles request) {
-    worker
-        .ask(() -> answer(files, request))
-        .whenCompleteAsync(
-            (answer, failure) -> {
-              busy = false;
-              send(failure != null ? Answer.done(request.id(), reason(failure)) : answer);
-            },
-            channel.eventLoop());
+    LateAnswers.whenDone(
+        channel,
+        worker.ask(() -> answer(files, request)),
+        (answer, failure) -> {
+          busy = false;
+          send(failure != null ? Answer.done(request.id(), reason(failure)) : answer);
+        });
   }
 
   private static String answer(SourceFiles files, Request.OfFiles request) throws FileRefused {

@@ -4,9 +4,9 @@ import io.netty.channel.Channel;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.Sample;
+import org.urbi.server.studio.access.LateAnswers;
 
 /**
  * Reads the numbers that a browser plots, at equal intervals, as long as it reads what it is sent.
@@ -39,25 +39,18 @@ final class Sampler {
     }
     asking = true;
     long id = wanted.id();
-    connection
-        .sample(wanted.ways())
-        .whenCompleteAsync((sample, failure) -> show(id, sample), channel.eventLoop());
+    LateAnswers.take(channel, connection.sample(wanted.ways()), sample -> show(id, sample));
   }
 
-  private void show(long id, @Nullable Sample sample) {
-    if (sample == null) {
-      // The kernel has closed the connection.
-      return;
-    }
+  private void show(long id, Sample sample) {
     channel.writeAndFlush(new TextWebSocketFrame(VariableAnswer.sample(id, sample)));
     channel
         .eventLoop()
-        .schedule(
-            () -> {
-              asking = false;
-              sample();
-            },
-            PERIOD,
-            TimeUnit.MILLISECONDS);
+        .schedule(LateAnswers.guarding(channel, this::next), PERIOD, TimeUnit.MILLISECONDS);
+  }
+
+  private void next() {
+    asking = false;
+    sample();
   }
 }

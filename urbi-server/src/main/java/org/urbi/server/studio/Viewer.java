@@ -22,6 +22,7 @@ import org.urbi.kernel.trust.Role;
 import org.urbi.lang.grammar.Keywords;
 import org.urbi.server.Version;
 import org.urbi.server.studio.access.Admission;
+import org.urbi.server.studio.access.LateAnswers;
 import org.urbi.server.studio.access.PageClient;
 import org.urbi.server.studio.access.StreamHandler;
 import org.urbi.server.studio.files.Folders;
@@ -117,22 +118,17 @@ final class Viewer extends StreamHandler {
     due = !channel.isWritable();
     if (!due) {
       looking = true;
-      connection()
-          .look(wanted)
-          .whenCompleteAsync((view, failure) -> show(channel, view), channel.eventLoop());
+      LateAnswers.take(channel, connection().look(wanted), view -> show(channel, view));
     }
   }
 
-  private void show(Channel channel, @Nullable View view) {
+  private void show(Channel channel, View view) {
     looking = false;
-    if (view == null) {
-      // The kernel has closed the connection.
-      return;
-    }
     send(channel, Answer.view(view));
     if (view.complete()) {
       int pause = PERIOD + view.total() / JOBS_PER_MILLISECOND;
-      channel.eventLoop().schedule(() -> look(channel), pause, TimeUnit.MILLISECONDS);
+      Runnable next = LateAnswers.guarding(channel, () -> look(channel));
+      channel.eventLoop().schedule(next, pause, TimeUnit.MILLISECONDS);
     } else {
       look(channel);
     }
@@ -193,15 +189,10 @@ final class Viewer extends StreamHandler {
               new Look(wanted.selected(), wanted.traced(), wanted.reactions(), variables.objects());
       case Request.Plot plot -> sampler().plot(plot);
       case Request.Show show ->
-          connection()
-              .media(show.way())
-              .whenCompleteAsync(
-                  (media, failure) -> {
-                    if (media != null) {
-                      send(channel, VariableAnswer.shown(show.id(), media));
-                    }
-                  },
-                  channel.eventLoop());
+          LateAnswers.take(
+              channel,
+              connection().media(show.way()),
+              media -> send(channel, VariableAnswer.shown(show.id(), media)));
       case Request.Assign assign ->
           tell(channel, assign.id(), connection().assign(assign.way(), assign.value()));
       case Request.Steer steer ->
@@ -216,13 +207,7 @@ final class Viewer extends StreamHandler {
 
   /** Tells what has become of an intervention, when it is known. */
   private static void tell(Channel channel, long id, CompletableFuture<String> outcome) {
-    outcome.whenCompleteAsync(
-        (error, failure) -> {
-          if (error != null) {
-            send(channel, Answer.done(id, error));
-          }
-        },
-        channel.eventLoop());
+    LateAnswers.take(channel, outcome, error -> send(channel, Answer.done(id, error)));
   }
 
   @Override

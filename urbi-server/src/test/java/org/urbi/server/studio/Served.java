@@ -6,6 +6,9 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.util.function.Function;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.server.Trace;
 import org.urbi.server.studio.files.Folders;
@@ -29,9 +32,23 @@ final class Served {
   static StudioServer of(
       Kernel kernel, AccessPolicy policy, Shown shown, Folders folders, RecordedFile recorded)
       throws IOException {
+    return of(kernel, client -> kernel.connect(client, false), policy, shown, folders, recorded);
+  }
+
+  /**
+   * @param lobbies makes the lobby of somebody who has been let in
+   */
+  static StudioServer of(
+      Kernel kernel,
+      Function<Client, Connection> lobbies,
+      AccessPolicy policy,
+      Shown shown,
+      Folders folders,
+      RecordedFile recorded)
+      throws IOException {
     return new StudioServer(
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-        client -> kernel.connect(client, false),
+        lobbies,
         policy,
         shown,
         folders,

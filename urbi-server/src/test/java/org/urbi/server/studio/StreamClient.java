@@ -21,6 +21,7 @@ class StreamClient implements WebSocket.Listener, AutoCloseable {
   final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   final WebSocket socket;
   volatile int status;
+  volatile String reason = "";
   private final StringBuilder part = new StringBuilder();
 
   /**
@@ -49,6 +50,7 @@ class StreamClient implements WebSocket.Listener, AutoCloseable {
   @Override
   public CompletionStage<?> onClose(WebSocket from, int code, String reason) {
     status = code;
+    this.reason = reason;
     heard.add("closed");
     return null;
   }

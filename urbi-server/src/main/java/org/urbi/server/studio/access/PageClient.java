@@ -69,7 +69,7 @@ public final class PageClient implements Client {
   /** Does something on the thread of the channel, unless the port has been closed. */
   public void execute(Runnable work) {
     try {
-      channel.eventLoop().execute(work);
+      channel.eventLoop().execute(LateAnswers.guarding(channel, work));
     } catch (RejectedExecutionException e) {
       // Nobody is served any more.
     }

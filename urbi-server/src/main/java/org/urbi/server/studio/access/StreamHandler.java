@@ -16,6 +16,8 @@ import org.urbi.web.StreamFailure;
 
 /** The stream of somebody who must be let in, and may not ask for too much at a time. */
 public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
+  static final String WHERE = "the studio";
+
   private final Admission admission;
   private final int mostRequests;
   private boolean admitted;
@@ -96,6 +98,10 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    StreamFailure.close(context, cause, "the studio");
+    end(context, cause);
+  }
+
+  static void end(ChannelHandlerContext context, Throwable cause) {
+    StreamFailure.close(context, cause, WHERE);
   }
 }

@@ -1,6 +1,6 @@
 package org.urbi.server.studio.foxglove;
 
-import io.netty.channel.EventLoop;
+import io.netty.channel.Channel;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,12 +8,12 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.JobRow;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.TagRow;
 import org.urbi.kernel.observe.View;
+import org.urbi.server.studio.access.LateAnswers;
 
 /**
  * The jobs of the kernel, for a program that follows them: asked for some times in a second, and
@@ -35,7 +35,7 @@ final class JobsFeed {
   private static final double PER_MILLE = 1000;
   private static final Look EVERYTHING = new Look(0, List.of(), null, null);
 
-  private final EventLoop thread;
+  private final Channel channel;
   private final Connection connection;
   private final BiConsumer<Long, Map<String, Object>> tell;
   private final TreeMap<Long, JobRow> jobs = new TreeMap<>();
@@ -47,8 +47,8 @@ final class JobsFeed {
   /**
    * @param tell takes a message: its time in nanoseconds since the Epoch, and its content
    */
-  JobsFeed(EventLoop thread, Connection connection, BiConsumer<Long, Map<String, Object>> tell) {
-    this.thread = thread;
+  JobsFeed(Channel channel, Connection connection, BiConsumer<Long, Map<String, Object>> tell) {
+    this.channel = channel;
     this.connection = connection;
     this.tell = tell;
   }
@@ -65,7 +65,7 @@ final class JobsFeed {
 
   private void look() {
     if (followed) {
-      connection.look(EVERYTHING).whenCompleteAsync((view, failure) -> take(view), thread);
+      LateAnswers.take(channel, connection.look(EVERYTHING), this::take);
     } else {
       looking = false;
       jobs.clear();
@@ -74,11 +74,7 @@ final class JobsFeed {
     }
   }
 
-  private void take(@Nullable View view) {
-    if (view == null) {
-      // The kernel has closed the connection.
-      return;
-    }
+  private void take(View view) {
     view.tags().forEach(each -> tags.put(each.number(), each));
     view.tagsGone().forEach(tags::remove);
     view.jobs().forEach(each -> jobs.put(each.number(), each));
@@ -93,7 +89,8 @@ final class JobsFeed {
       tell.accept(view.epochTime(), message());
     }
     int pause = PERIOD + view.total() / JOBS_PER_MILLISECOND;
-    thread.schedule(this::look, pause, TimeUnit.MILLISECONDS);
+    Runnable next = LateAnswers.guarding(channel, this::look);
+    channel.eventLoop().schedule(next, pause, TimeUnit.MILLISECONDS);
   }
 
   private Map<String, Object> message() {

@@ -22,6 +22,7 @@ import org.urbi.kernel.Connection;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.studio.access.Admission;
+import org.urbi.server.studio.access.LateAnswers;
 import org.urbi.server.studio.access.PageClient;
 import org.urbi.server.studio.access.StreamHandler;
 
@@ -90,7 +91,7 @@ public final class ProgramHandler extends StreamHandler {
     Runnable values = () -> tell(channel);
     JobsFeed jobs =
         new JobsFeed(
-            channel.eventLoop(),
+            channel,
             connection,
             (time, all) -> {
               if (outbox.put(new Outbox.Value(JobsFeed.CHANNEL, time, all))) {
@@ -147,7 +148,7 @@ public final class ProgramHandler extends StreamHandler {
     }
     if (left == 0) {
       // Others have their turn.
-      channel.eventLoop().execute(() -> tell(channel));
+      channel.eventLoop().execute(LateAnswers.guarding(channel, () -> tell(channel)));
     }
     if (time != 0) {
       channel.write(Answer.time(time));
@@ -240,16 +241,10 @@ public final class ProgramHandler extends StreamHandler {
 
   private void tellParameters(Channel channel, List<String> names, @Nullable String id) {
     List<String> wanted = names.isEmpty() ? program().subscriptions().parameterNames() : names;
-    program()
-        .connection()
-        .values(wanted)
-        .whenCompleteAsync(
-            (values, failure) -> {
-              if (values != null) {
-                send(channel, Answer.parameterValues(wanted, values, id));
-              }
-            },
-            channel.eventLoop());
+    LateAnswers.take(
+        channel,
+        program().connection().values(wanted),
+        values -> send(channel, Answer.parameterValues(wanted, values, id)));
   }
 
   private void set(Channel channel, Request.SetParameters wish) {
@@ -260,25 +255,25 @@ public final class ProgramHandler extends StreamHandler {
     if (wish.id() == null) {
       return;
     }
-    CompletableFuture.allOf(all.toArray(CompletableFuture[]::new))
-        .whenCompleteAsync(
-            (nothing, failure) ->
-                tellParameters(
-                    channel,
-                    wish.parameters().stream().map(Request.Parameter::name).toList(),
-                    wish.id()),
-            channel.eventLoop());
+    LateAnswers.whenDone(
+        channel,
+        CompletableFuture.allOf(all.toArray(CompletableFuture[]::new)),
+        (nothing, failure) ->
+            tellParameters(
+                channel,
+                wish.parameters().stream().map(Request.Parameter::name).toList(),
+                wish.id()));
   }
 
   private CompletableFuture<String> give(Channel channel, String path, @Nullable Object value) {
-    CompletableFuture<String> done = program().connection().give(path, value);
-    return done.whenCompleteAsync(
-        (error, failure) -> {
-          if (error != null && !error.isEmpty()) {
+    return LateAnswers.take(
+        channel,
+        program().connection().give(path, value),
+        error -> {
+          if (!error.isEmpty()) {
             send(channel, Answer.status(Answer.Level.ERROR, path + ": " + error));
           }
-        },
-        channel.eventLoop());
+        });
   }
 
   // ------------------------------------------------------------------ what it publishes
@@ -315,20 +310,15 @@ public final class ProgramHandler extends StreamHandler {
   private void call(Channel channel, ByteBuf frame) throws BadMessage {
     try {
       CallService.Call call = CallService.read(frame);
-      program()
-          .connection()
-          .call(call.path(), call.arguments())
-          .whenCompleteAsync(
-              (end, failure) -> {
-                if (end != null) {
-                  send(
-                      channel,
-                      end.error().isEmpty()
-                          ? Answer.called(call.id(), end.value())
-                          : Answer.callFailure(CallService.ID, call.id(), end.error()));
-                }
-              },
-              channel.eventLoop());
+      LateAnswers.take(
+          channel,
+          program().connection().call(call.path(), call.arguments()),
+          end ->
+              send(
+                  channel,
+                  end.error().isEmpty()
+                      ? Answer.called(call.id(), end.value())
+                      : Answer.callFailure(CallService.ID, call.id(), end.error())));
     } catch (CallService.Failed e) {
       send(channel, Answer.callFailure(e.service(), e.call(), String.valueOf(e.getMessage())));
     }
