@@ -63,28 +63,38 @@ class SimulatedRobotTest {
   }
 
   @Test
-  void demonstrationIsSeenInABrowser() throws Exception {
-    Browser browser = Browser.flat();
+  void demonstrationIsSeenAndTouchedInBrowsers(@TempDir Path folder) throws Exception {
+    Browser flat = Browser.flat();
+    Browser spatial = Browser.spatial();
     try (JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
       assertTrue(address.matches("http://localhost:\\d+/#robot"), address);
-      browser.open(address);
-      goesFromTheStudioToThePage(browser);
-      imagesComeAndShowTheBall(browser);
-      everythingMoves(browser);
-      Accessibility.check(browser);
-      connectsAgain(browser, urbi);
-      urbi.send("simulation.page.viewers;\n");
-      urbi.awaitLine(said -> said.matches("\\[\\d+\\] 1"));
+      flat.open(address);
+      demonstrationIsSeen(flat, urbi);
+      robotObeysTheStudio(flat, urbi, address);
+      flat.leave();
+      worldIsTouched(spatial, urbi);
+      unusualWorldsAreShown(spatial, urbi, folder);
       urbi.send("shutdown;\n");
-      browser.await(
+      spatial.await(
           "the loss of the connection",
           "return document.querySelector('#connection').dataset.state",
           "lost"::equals);
-      browser.leave();
+      spatial.leave();
       assertEquals(0, urbi.awaitEnd(), urbi::text);
+      assertTrue(!urbi.text().contains("!!!"), urbi::text);
     }
+  }
+
+  private static void demonstrationIsSeen(Browser browser, JavaProcess urbi) throws Exception {
+    goesFromTheStudioToThePage(browser);
+    imagesComeAndShowTheBall(browser);
+    everythingMoves(browser);
+    Accessibility.check(browser);
+    connectsAgain(browser, urbi);
+    urbi.send("simulation.page.viewers;\n");
+    urbi.awaitLine(said -> said.matches("\\[\\d+\\] 1"));
   }
 
   private static void goesFromTheStudioToThePage(Browser browser) throws Exception {
@@ -109,6 +119,27 @@ class SimulatedRobotTest {
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     browser.await("the room of the jobs", "return !!" + frame, "false"::equals);
     browser.open(browser.evaluate("return document.querySelector('#robot-alone').href"));
+  }
+
+  /** A variable that is changed in the studio moves the head, which is seen there. */
+  private static void robotObeysTheStudio(Browser browser, JavaProcess urbi, String address)
+      throws Exception {
+    urbi.send("following.stop;\n");
+    browser.open(address.replace("robot", "variables"));
+    String line =
+        "[...document.querySelectorAll('.line')].find(each => each.dataset.way === 'Global\\n.pitch%s')";
+    browser.await("the motor", "return !!" + line.formatted(""), "true"::equals);
+    browser.evaluate(line.formatted("") + ".querySelector('.twisty').click()");
+    String position = line.formatted("\\n.val");
+    browser.await("its position", "return !!" + position, "true"::equals);
+    browser.evaluate(position + ".click()");
+    String slider = "document.querySelector('#slot-slider')";
+    browser.await("its limits", "return " + slider + ".max > 0.5", "true"::equals);
+    browser.evaluate(StudioPage.type("#slot-slider", "0.5"));
+    browser.await(
+        "that it is there",
+        "return " + position + ".querySelector('.value').textContent",
+        value -> Math.abs(Double.parseDouble(value) - 0.5) < 0.03);
   }
 
   private static void imagesComeAndShowTheBall(Browser browser) throws Exception {
@@ -189,31 +220,34 @@ class SimulatedRobotTest {
       return new Set(new Uint32Array(pixels.buffer)).size;
       """;
 
+  /** How many points of the world in three dimensions have a colour. */
+  private static String painted(int red, int green, int blue) {
+    int colour = 0xff << 24 | blue << 16 | green << 8 | red;
+    return SPACE.replace(
+        "new Set(new Uint32Array(pixels.buffer)).size",
+        "new Uint32Array(pixels.buffer).filter(each => each === %d).length"
+            .formatted(Integer.toUnsignedLong(colour)));
+  }
+
   private static final String SHOWN_TIME =
       "return Math.round(document.querySelector('#space').dataset.time * 1000)";
   private static final String PICKED =
       "return document.querySelector('#space').dataset.picked || ''";
 
-  @Test
-  void worldIsTouchedInABrowser(@TempDir Path folder) throws Exception {
-    Browser browser = Browser.spatial();
-    try (JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
-      urbi.send("echo(\"" + ALONE + "\" + simulation.page.url);\n");
-      String line = urbi.awaitText(ALONE);
-      browser.open(line.substring(line.indexOf(ALONE) + ALONE.length()));
-      browser.await("the world in three dimensions", SPACE, count -> number(count) > 50);
-      urbi.send("playing.stop;\n");
-      timeIsHaltedAndStepped(browser);
-      bodiesArePickedAndPushed(browser, urbi);
-      robotIsDriven(browser, urbi);
-      press(browser, "#flat");
-      browser.await("the scene from above", colours("#scene"), count -> number(count) > 20);
-      unusualWorldsAreShown(browser, urbi, folder);
-      browser.leave();
-      urbi.send("shutdown;\n");
-      assertEquals(0, urbi.awaitEnd(), urbi::text);
-      assertTrue(!urbi.text().contains("!!!"), urbi::text);
-    }
+  private static void worldIsTouched(Browser browser, JavaProcess urbi) throws Exception {
+    urbi.send("echo(\"" + ALONE + "\" + simulation.page.url);\n");
+    String line = urbi.awaitText(ALONE);
+    browser.open(line.substring(line.indexOf(ALONE) + ALONE.length()));
+    browser.await("the world in three dimensions", SPACE, count -> number(count) > 50);
+    browser.await("what the camera sees", painted(255, 179, 0), count -> number(count) > 2);
+    browser.await("what the sonar measures", painted(229, 57, 47), count -> number(count) > 2);
+    urbi.send("playing.stop;\n");
+    timeIsHaltedAndStepped(browser, urbi);
+    bodiesArePickedAndPushed(browser, urbi);
+    // To draw the third dimension costs more than all else that follows.
+    press(browser, "#flat");
+    browser.await("the scene from above", colours("#scene"), count -> number(count) > 20);
+    robotIsDriven(browser, urbi);
   }
 
   private static void unusualWorldsAreShown(Browser browser, JavaProcess urbi, Path folder)
@@ -253,7 +287,7 @@ class SimulatedRobotTest {
     urbi.awaitLine(said -> said.endsWith("*** " + mark));
   }
 
-  private static void timeIsHaltedAndStepped(Browser browser) throws Exception {
+  private static void timeIsHaltedAndStepped(Browser browser, JavaProcess urbi) throws Exception {
     press(browser, "#pause");
     browser.await(
         "the halt",
@@ -265,6 +299,9 @@ class SimulatedRobotTest {
     press(browser, "#reset");
     press(browser, "#step");
     browser.await("another step", SHOWN_TIME, now -> number(now) == halted + 4);
+    browser.evaluate(
+        "const pace = document.querySelector('#pace'); pace.value = 2; pace.dispatchEvent(new Event('change'))");
+    awaitTruth(urbi, "twice as fast", "simulation.world.speed == 2");
   }
 
   private static void bodiesArePickedAndPushed(Browser browser, JavaProcess urbi) throws Exception {
@@ -276,7 +313,7 @@ class SimulatedRobotTest {
     int x = number(browser.evaluate(middle.formatted("left + width / 2")));
     int top = number(browser.evaluate(middle.formatted("top")));
     int height = number(browser.evaluate(middle.formatted("height")));
-    for (int y = 0; y < height && browser.evaluate(PICKED).isEmpty(); y += 8) {
+    for (int y = height / 4; y < height && browser.evaluate(PICKED).isEmpty(); y += 8) {
       browser.click(x, top + y);
     }
     assertNotEquals("", browser.evaluate(PICKED), "a click picks what is there");
@@ -308,6 +345,11 @@ class SimulatedRobotTest {
     key(browser, "keydown", "s");
     awaitTruth(urbi, "driven back", "robot.body.wheel[left].val < -2");
     key(browser, "keyup", "s");
+    String button = "document.querySelector('[data-drive=\"1 0\"]').dispatchEvent(new Event('%s'))";
+    browser.evaluate(button.formatted("pointerdown"));
+    awaitTruth(urbi, "driven by a button", "robot.body.wheel[left].val > 2");
+    browser.evaluate(button.formatted("pointerup"));
+    awaitTruth(urbi, "the button let go", "robot.body.wheel[left].val.abs < 0.1");
     gamepadDrives(browser, urbi);
     key(browser, "keydown", "s");
     awaitTruth(urbi, "driven back again", "robot.body.wheel[left].val < -2");
