@@ -183,9 +183,17 @@ config=$work/oci/blobs/sha256/$(hashes "$manifest" | head -n 1)
 equal "$(hashes "$config")" "$(gzip -dc "$layer" | sha256sum | cut -d' ' -f1)" "the hash of the unpacked layer"
 tar -xzf "$layer" -C "$work/three"
 devices "$work/three"
-out=$(env -i PATH=/usr/bin:/bin HOME=/home/urbi LANG=C.UTF-8 "$chroot" --userspec=1000:1000 "$work/three" \
-  /usr/bin/urbi -q -e 'echo("Hello, World!");' -e 'shutdown;' </dev/null | cut -c12-)
+contained() { # COMMAND…: as the configuration of the image has it run
+  env -i PATH=/usr/bin:/bin HOME=/home/urbi LANG=C.UTF-8 "$chroot" --userspec=1000:1000 "$work/three" "$@" </dev/null
+}
+out=$(contained urbi -q -e 'echo("Hello, World!");' -e 'shutdown;' | cut -c12-)
 equal '*** Hello, World!' "$out" "the container's entry point"
+cp -r examples/uobjects/machine.uob "$work/motor.so" "$work/three/home/urbi/"
+contained umake-java -q /home/urbi/machine.uob -o /home/urbi/machine
+out=$(contained urbi -q -m /home/urbi/machine.jar -e 'UMachine.assemble([12, 34]);' -e 'shutdown;' | cut -c12-)
+equal '"1234"' "$out" "a component in Java in the container"
+out=$(contained urbi -q -m /home/urbi/motor.so -e 'Motor.add(2);' -e 'shutdown;' | cut -c12-)
+equal 2 "$out" "a component in C++ in the container"
 say "the artifacts for Maven"
 repository=$packages/maven-repository/org/urbi
 for library in urbi-lang urbi-builtins uobject-java urbi-kernel uobject-native-bridge urbi-web urbi-server sim-devices urbi-ros; do
@@ -202,6 +210,25 @@ done
 for wanted in "<project.home>${URBI_HOME_PAGE:-https://not-published.invalid/urbi}<" '<url>' '<licenses>' '<developers>' '<scm '; do
   grep -q "$wanted" "$repository/urbi/$version/urbi-$version.pom" || { say "the main pom has no $wanted"; exit 1; }
 done
+# A project that the archetype makes builds, tests itself and runs.
+cat >"$work/settings.xml" <<EOF
+<settings>
+  <profiles>
+    <profile>
+      <id>packages</id>
+      <repositories><repository><id>archetype</id><url>file://$packages/maven-repository</url></repository></repositories>
+    </profile>
+  </profiles>
+  <activeProfiles><activeProfile>packages</activeProfile></activeProfiles>
+</settings>
+EOF
+(cd "$project" && run_maven -q -gs "$work/settings.xml" org.apache.maven.plugins:maven-archetype-plugin:3.4.0:generate \
+  -DinteractiveMode=false -DarchetypeCatalog=internal -DarchetypeGroupId=org.urbi \
+  -DarchetypeArtifactId=urbi-component-archetype -DarchetypeVersion="$version" -DgroupId=org.example -DartifactId=heater \
+  -Dversion=0.1.0 -Dpackage=org.example -Dcomponent=Heater -DurbiRoot="$unpacked" &&
+  cd heater && run_maven -o -q verify) >"$work/maven.log" 2>&1 || { cat "$work/maven.log" >&2; exit 1; }
+out=$("$unpacked/urbi" -q -m "$project/heater/target/heater.jar" -e 'Heater.add(2);' -e 'shutdown;' </dev/null | cut -c12-)
+equal 2 "$out" "a component that the archetype has made"
 say "the extension for VS Code"
 unzip -q "$packages/urbiscript-$version.vsix" -d "$work/vsix"
 for file in package.json language-configuration.json syntaxes/{urbiscript,session,markdown}.tmLanguage.json snippets/urbiscript.json; do

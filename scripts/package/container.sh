@@ -22,8 +22,8 @@ done | grep -o '/[^ ]*' | sort -u | while IFS= read -r library; do
   case $library in "$layer"*) continue ;; esac
   cp -L --parents "$library" "$layer/"
 done
-# What looks up names of hosts and users is found when it is asked.
-for library in libnss_files.so.2 libnss_dns.so.2 libresolv.so.2; do
+# What looks up names of hosts and users is found when it is asked; the others are for components in C++.
+for library in libnss_files.so.2 libnss_dns.so.2 libresolv.so.2 libstdc++.so.6 libgcc_s.so.1 libm.so.6; do
   for file in "/lib/$(uname -m)-linux-gnu/$library"; do
     [ ! -e "$file" ] || cp -L --parents "$file" "$layer/"
   done
