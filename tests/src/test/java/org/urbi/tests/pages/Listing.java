@@ -18,6 +18,10 @@ record Listing(int line, Kind kind, String detail, List<String> lines) {
     SESSION("session", Detail.NONE),
     /** A session of its own. */
     SEPARATE_SESSION("separate session", Detail.NONE),
+    /** A part of the page's session with a kernel that is a node of ROS 1, beside others. */
+    ROS_1("ROS 1", Detail.NONE),
+    /** A part of the page's session with a kernel that is a node of ROS 2, alone in its domain. */
+    ROS_2("ROS 2", Detail.NONE),
     /** Commands, each with {@code $ } before it, and what they print. */
     TERMINAL("terminal", Detail.NONE),
     /** Commands that go on while the following listings run. */

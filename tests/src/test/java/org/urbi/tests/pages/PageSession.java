@@ -134,14 +134,15 @@ final class PageSession {
   }
 
   /**
-   * The lines of a listing, without what differs from run to run: addresses and numbers of jobs.
+   * The lines of a listing, without what differs from run to run: addresses and numbers of jobs,
+   * and times unless they are asked for.
    */
-  static List<String> comparable(List<String> lines) {
+  static List<String> comparable(List<String> lines, boolean withTimes) {
     List<String> result = new ArrayList<>();
     for (String line : lines) {
       result.addAll(
           Transcript.isOutput(line)
-              ? OutputNormalizer.comparable(List.of(line), true, true)
+              ? OutputNormalizer.comparable(List.of(line), withTimes, true)
               : List.of(line));
     }
     return result;

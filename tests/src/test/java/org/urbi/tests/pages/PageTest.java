@@ -127,7 +127,7 @@ class PageTest {
   @Test
   void addressesDoNotCount() {
     assertEquals(
-        PageSession.comparable(List.of("Object.new;", "[00000000] Object_0x1")),
-        PageSession.comparable(List.of("Object.new;", "[00000000] Object_0x7f3a")));
+        PageSession.comparable(List.of("Object.new;", "[00000000] Object_0x1"), true),
+        PageSession.comparable(List.of("Object.new;", "[00000000] Object_0x7f3a"), true));
   }
 }

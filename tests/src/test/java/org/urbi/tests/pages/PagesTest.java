@@ -48,9 +48,11 @@ class PagesTest {
   private static Path modules;
 
   @BeforeAll
-  static void makeTheSimulation() throws IOException {
+  static void makeModules() throws IOException {
     modules = Files.createDirectory(folder.resolve("modules"));
     UObjectJars.pack(ROOT.resolve("sim-devices/target/classes"), modules.resolve("sim.jar"), "");
+    Path ros = Files.createDirectory(modules.resolve("urbi")).resolve("ros.jar");
+    UObjectJars.pack(ROOT.resolve("urbi-ros/target/classes"), ros, "");
   }
 
   @TestFactory
@@ -84,6 +86,16 @@ class PagesTest {
     if (!session.isEmpty()) {
       tests.add(dynamicTest("the session", () -> converse(page, session)));
     }
+    List<Listing> one = page.listings(Kind.ROS_1);
+    if (!one.isEmpty()) {
+      tests.add(dynamicTest("the session with ROS 1", () -> converseInOne(page, one)));
+    }
+    List<Listing> two = page.listings(Kind.ROS_2);
+    if (!two.isEmpty()) {
+      tests.add(
+          dynamicTest(
+              "the session with ROS 2", () -> converse(page, two, RosPeers.inTwo(), false)));
+    }
     if (!page.listings(Kind.TERMINAL, Kind.BACKGROUND).isEmpty()) {
       tests.add(dynamicTest("the terminal", () -> holdTerminal(page)));
     }
@@ -96,13 +108,32 @@ class PagesTest {
         case CXX -> tests.add(dynamicTest(line, () -> compileCxx(listing)));
         case PROGRAM -> tests.add(dynamicTest(line, () -> run(page, listing)));
         case EXCERPT -> tests.add(dynamicTest(line, () -> findInFile(listing)));
-        case SESSION, TERMINAL, BACKGROUND, FILE, MODULE, PRINTED, NOT_RUN -> {}
+        case SESSION, ROS_1, ROS_2, TERMINAL, BACKGROUND, FILE, MODULE, PRINTED, NOT_RUN -> {}
       }
     }
     return dynamicContainer(ROOT.relativize(page.file()).toString(), tests);
   }
 
+  private static void converseInOne(Page page, List<Listing> listings) throws Exception {
+    assumeTrue(RosPeers.areInstalled(), "skipped: there is no ROS 1 on this machine");
+    try (RosPeers peers = RosPeers.start(folder)) {
+      converse(page, listings, peers.inOne(), false);
+    }
+  }
+
   private static void converse(Page page, List<Listing> listings) throws IOException {
+    converse(page, listings, "", true);
+  }
+
+  /**
+   * Holds a session.
+   *
+   * @param beginning what comes before the listings, and is not shown
+   * @param withTimes whether time stamps count: the network takes its time, whatever the clock of
+   *     the kernel says
+   */
+  private static void converse(
+      Page page, List<Listing> listings, String beginning, boolean withTimes) throws IOException {
     for (Listing module : page.listings(Kind.MODULE)) {
       new JavaListings(folder).makeModule(module, modules);
     }
@@ -110,7 +141,7 @@ class PagesTest {
       Files.writeString(modules.resolve(file.detail()), file.text());
     }
     PageSession session = PageSession.of(listings);
-    byte[] bytes = session.program().getBytes(StandardCharsets.UTF_8);
+    byte[] bytes = (beginning + session.program()).getBytes(StandardCharsets.UTF_8);
     // One char per byte, as kernels take and give text.
     String program = new String(bytes, StandardCharsets.ISO_8859_1);
     String output =
@@ -123,8 +154,8 @@ class PagesTest {
       return;
     }
     for (int i = 0; i < listings.size(); i++) {
-      List<String> shown = PageSession.comparable(listings.get(i).lines());
-      List<String> answered = PageSession.comparable(renewed.get(i));
+      List<String> shown = PageSession.comparable(listings.get(i).lines(), withTimes);
+      List<String> answered = PageSession.comparable(renewed.get(i), withTimes);
       if (!shown.equals(answered)) {
         fail(page.place(listings.get(i)) + "\n" + LineDifference.of(shown, answered));
       }
