@@ -49,6 +49,10 @@ final class ErrorAdvice {
           Map.entry("parseFloat", "asFloat"),
           Map.entry("require", "load(\"file.u\")"),
           Map.entry("include", "load(\"file.u\")"),
+          Map.entry("wait", "sleep(1s)"),
+          Map.entry("exit", "quit, shutdown"),
+          Map.entry("math", "Math"),
+          Map.entry("PI", "pi"),
           Map.entry("range", "for (var i : 3), 3.seq"));
 
   /** How far around a place is looked: a program may be one long line. */
@@ -59,7 +63,15 @@ final class ErrorAdvice {
   /** {@code for (x in list)}. */
   private static final Pattern LOOP = Pattern.compile("\\bfor\\s*\\(\\s*$");
 
+  private static final Pattern CATCH = Pattern.compile("\\bcatch\\s*\\(\\s*$");
+
+  /** {@code load(file.u)}. */
+  private static final Pattern LOAD =
+      Pattern.compile("\\b(load\\w*|require(File)?)\\s*\\(\\s*$");
+
   private static final Pattern MADE = Pattern.compile("\\b(\\w+)\\.new\\b");
+
+  private static final Pattern SUFFIX = Pattern.compile("\\.u\\b");
 
   private static final Pattern LOOPED = Pattern.compile("\\s+in\\b");
 
@@ -123,6 +135,10 @@ final class ErrorAdvice {
       return Hint.UNDECLARED.text(name);
     } else if (follows(LOOPED) && precedes(LOOP)) {
       return Hint.FOR_IN.text(name);
+    } else if (precedes(CATCH)) {
+      return Hint.CAUGHT.text(name);
+    } else if (precedes(LOAD) && follows(SUFFIX)) {
+      return Hint.FILE_NAME.text();
     } else if (thrown.span() != null && thrown.span().text().startsWith("'")) {
       return Hint.SINGLE_QUOTES.text();
     } else if (asked instanceof UrbiLobby) {

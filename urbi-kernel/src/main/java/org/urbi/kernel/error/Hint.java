@@ -17,6 +17,8 @@ public enum Hint {
   UNKNOWN_FUNCTION("nothing is called `{name}' here: function {name}(…) { … } declares it"),
   OF_SESSION(
       "`{name}' is a slot of the session: a closure sees it; var Global.{name} is seen everywhere"),
+  FILE_NAME("the name of a file is a string: load(\"file.u\")"),
+  CAUGHT("what is caught is declared by var: catch (var {name}) { … }"),
   FOR_IN("a loop over elements is for (var {name} : list) …"),
   ASKED_OF_NIL("`{name}' was asked of nil: what should have a value has none"),
   ASKED_OF("`{name}' was asked of {a} {type}; allSlotNames lists what it has"),

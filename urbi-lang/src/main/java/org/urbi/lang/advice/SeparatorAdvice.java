@@ -32,13 +32,24 @@ final class SeparatorAdvice {
     }
     boolean block = around.is(at - 1, UrbiscriptLexer.RBRACE);
     if (around.sameLine(at - 1, at) && !block) {
-      return around.is(at - 1, UrbiscriptLexer.RPAREN)
-          ? null
-          : Advice.of(SyntaxHint.TOGETHER.text());
+      if (around.is(at - 1, UrbiscriptLexer.RPAREN)) {
+        return null;
+      }
+      return Advice.of(
+          isCall(around, at)
+              ? SyntaxHint.ARGUMENTS.text(around.text(at - 1), around.text(at))
+              : SyntaxHint.TOGETHER.text());
     }
     return new Advice(
         SyntaxHint.SEPARATOR.text(),
         List.of(new Note(last(around.span(at - 1)), SyntaxHint.ENDS.text())));
+  }
+
+  /** {@code echo "text"}. */
+  private static boolean isCall(Surroundings around, int argument) {
+    return around.is(argument, UrbiscriptLexer.STRING)
+        && around.is(argument - 1, UrbiscriptLexer.WORD)
+        && around.statement(argument) == argument - 1;
   }
 
   private static Span last(Span span) {

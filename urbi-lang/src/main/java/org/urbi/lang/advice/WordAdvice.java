@@ -65,10 +65,13 @@ final class WordAdvice {
     return null;
   }
 
-  /** {@code functon f(x) …}, {@code elif}. */
+  /** {@code functon f(x) …}, {@code elif}, {@code const x = 1}, {@code if (…) then …}. */
   static @Nullable Advice keyword(Surroundings around) {
     int at = around.at();
     int first = around.statement(at);
+    if (around.is(at, UrbiscriptLexer.WORD) && around.is(at - 1, UrbiscriptLexer.CONST)) {
+      return Advice.of(SyntaxHint.CONSTANT.text(around.text(at)));
+    }
     for (int index : new int[] {at, at - 1, at - 2, first}) {
       if (index < first || !around.is(index, UrbiscriptLexer.WORD)) {
         continue;
@@ -77,6 +80,9 @@ final class WordAdvice {
       boolean begins = index == first || around.is(index - 1, UrbiscriptLexer.RBRACE);
       if (word.equals("lambda")) {
         return Advice.of(SyntaxHint.LIKE_FUNCTION.text());
+      }
+      if (word.equals("then") && around.is(index - 1, UrbiscriptLexer.RPAREN)) {
+        return Advice.of(SyntaxHint.NO_THEN.text());
       }
       String meant = begins || word.equals("is") ? FOREIGN.get(word) : null;
       if (meant != null) {

@@ -11,6 +11,8 @@ public enum SyntaxHint {
   MISSPELLED("did you mean `{word}'?"),
   NO_WORD("`{word}' is no word of urbiscript; here it is `{meant}'"),
   LIKE_FUNCTION("a function without a name is `function (x) { x + 1 }', or `closure'"),
+  CONSTANT("a constant is declared by const var {word} = …"),
+  NO_THEN("`if (…) … else …' has no `then'"),
   NO_DO_WHILE("there is no do … while: loop { …; if (!condition) break }"),
 
   // ------------------------------------------------------------------ separators
@@ -20,6 +22,7 @@ public enum SyntaxHint {
   NO_SEMICOLON(
       "`{closer}' is missing before `;', or `,' was meant, as between elements and arguments"),
   TOGETHER("`;' or an operator is missing before it; a modifier is x = 1 time:2s"),
+  ARGUMENTS("arguments stand in parentheses: {word}({argument})"),
   NOTHING("something is missing between the parentheses of `{word}'"),
   ELSE("`else' directly follows its `if (…) …', without a `;' before it"),
   OPERAND("something is missing behind `{operator}'"),
@@ -42,6 +45,8 @@ public enum SyntaxHint {
   ASSIGNMENT("a value is given by `='"),
   DIFFERENT("`!=' asks whether two values are different"),
   DICTIONARY("a dictionary is [\"key\" => value]"),
+  SLICE("a part of a string is text[0, 2], one of a list is list.range(0, 2)"),
+  NO_CHOICE("there is no `? :'; if (…) x = 1 else x = 2 chooses"),
   RANGE("there are no ranges with dots: for (var i : 3) counts 0, 1, 2"),
   COLON("a `:' starts no block; braces do"),
   QUOTES("strings stand between double quotes: \"…\""),
