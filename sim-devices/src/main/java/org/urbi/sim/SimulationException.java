@@ -3,7 +3,7 @@ package org.urbi.sim;
 import org.jspecify.annotations.Nullable;
 
 /** An operation that the simulation cannot perform; the message is for the user. */
-public class SimulationException extends RuntimeException {
+public class SimulationException extends IllegalStateException {
   private static final long serialVersionUID = 1L;
 
   public SimulationException(String message) {
@@ -12,6 +12,12 @@ public class SimulationException extends RuntimeException {
 
   public SimulationException(@Nullable String message, Throwable cause) {
     super(message, cause);
+  }
+
+  /** It is a message for people, who do not want to know where in this module it was thrown. */
+  @Override
+  public synchronized Throwable fillInStackTrace() {
+    return this;
   }
 
   /**

@@ -116,6 +116,7 @@ class WorldReaderTest {
         assertThrows(
             SimulationException.class, () -> WorldReader.read("a.world", text, asked).close());
     assertEquals(message, refusal.getMessage());
+    assertEquals(0, refusal.getStackTrace().length, "it is for people, and not logged");
   }
 
   @Test

@@ -82,8 +82,8 @@ class TerminalTest {
     user.await("\"> ");
     user.enter("\") /* {");
     user.await("/*> ");
-    user.enter("*/ }");
-    user.await("> ");
+    user.enter("*/ } // (");
+    user.await(";> ");
     user.enter("; 20 + 23;");
     user.await("lookup failed: f");
     user.await("] 43");

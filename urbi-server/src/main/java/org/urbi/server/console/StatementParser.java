@@ -15,8 +15,8 @@ import org.urbi.server.source.SourceText;
  * what is completed: the name before the cursor, or the string in which the cursor is.
  */
 final class StatementParser implements Parser {
-  /** What the editor asks to have shown while nothing in particular is open. */
-  private static final String NOTHING = "";
+  /** What a statement wants in which nothing else is open. */
+  private static final String SEPARATOR = ";";
 
   private final BooleanSupplier within;
 
@@ -33,10 +33,11 @@ final class StatementParser implements Parser {
     boolean accepts =
         context == ParseContext.ACCEPT_LINE || context == ParseContext.SECONDARY_PROMPT;
     if (accepts && !within.getAsBoolean()) {
-      StatementSplitter read = StatementSplitter.over(SourceText.bytes(line));
+      // A comment that the line ends is not what is open at its end.
+      StatementSplitter read = StatementSplitter.over(SourceText.bytes(line + '\n'));
       if (read.pending()) {
         String open = read.open();
-        throw new EOFError(-1, -1, "unfinished", open.equals("//") ? NOTHING : open);
+        throw new EOFError(-1, -1, "unfinished", open.isEmpty() ? SEPARATOR : open);
       }
     }
     return new Typed(line, cursor);
