@@ -1,5 +1,6 @@
 package org.urbi.ros.codec;
 
+import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -29,6 +30,9 @@ public final class MessageCodec {
   private final MessageType type;
   private final StructPart message;
 
+  /** What is sent again and again has the same size mostly, and then its bytes are copied once. */
+  private volatile int lastSize;
+
   private MessageCodec(MessageType type) {
     this.type = type;
     this.message = new Parts(type).message(type.definition());
@@ -55,15 +59,17 @@ public final class MessageCodec {
 
   /** The same in an order of bytes, which makes a difference to ROS 2 only. */
   byte[] encode(UDictionary value, ByteOrder order) {
-    if (type.dialect() == Dialect.ROS_1) {
-      Output out = new Output(false, 0, ByteOrder.LITTLE_ENDIAN);
-      message.write(out, value);
-      return out.bytes();
-    }
-    Output out = new Output(true, HEADER, order);
+    boolean cdr = type.dialect() == Dialect.ROS_2;
+    Output out =
+        cdr
+            ? new Output(true, HEADER, order, lastSize)
+            : new Output(false, 0, ByteOrder.LITTLE_ENDIAN, lastSize);
     message.write(out, value);
     byte[] bytes = out.bytes();
-    bytes[1] = (byte) (order == ByteOrder.LITTLE_ENDIAN ? LITTLE_ENDIAN : BIG_ENDIAN);
+    lastSize = bytes.length;
+    if (cdr) {
+      bytes[1] = (byte) (order == ByteOrder.LITTLE_ENDIAN ? LITTLE_ENDIAN : BIG_ENDIAN);
+    }
     return bytes;
   }
 
@@ -74,6 +80,15 @@ public final class MessageCodec {
    */
   public UDictionary decode(byte[] data) {
     return decode(data, 0, data.length);
+  }
+
+  /**
+   * The message that the bytes of a buffer are, which is one of an array.
+   *
+   * @throws CodecException if they are none
+   */
+  public UDictionary decode(ByteBuffer data) {
+    return decode(data.array(), data.arrayOffset() + data.position(), data.remaining());
   }
 
   /**

@@ -6,8 +6,6 @@ import java.util.Arrays;
 
 /** Where a message is written; it grows. */
 final class Output {
-  private static final int FIRST_SIZE = 256;
-
   private final boolean cdr;
   private final int origin;
   private ByteBuffer buffer;
@@ -15,11 +13,12 @@ final class Output {
   /**
    * @param cdr whether values are aligned to their size
    * @param origin how many bytes are left for what precedes the message
+   * @param size how many bytes there will probably be
    */
-  Output(boolean cdr, int origin, ByteOrder order) {
+  Output(boolean cdr, int origin, ByteOrder order, int size) {
     this.cdr = cdr;
     this.origin = origin;
-    buffer = ByteBuffer.allocate(FIRST_SIZE).order(order).position(origin);
+    buffer = ByteBuffer.allocate(Math.max(origin, size)).order(order).position(origin);
   }
 
   boolean isCdr() {
@@ -56,6 +55,8 @@ final class Output {
   }
 
   byte[] bytes() {
-    return Arrays.copyOf(buffer.array(), buffer.position());
+    return buffer.hasRemaining()
+        ? Arrays.copyOf(buffer.array(), buffer.position())
+        : buffer.array();
   }
 }

@@ -1,6 +1,5 @@
 package org.urbi.ros.one;
 
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -22,7 +21,8 @@ final class ConnectionHeader {
   static final String PROBE = "probe";
   static final String ERROR = "error";
 
-  private static final int MAX_SIZE = 1 << 20;
+  /** In bytes, without its length. */
+  static final int MAX_SIZE = 1 << 20;
 
   private ConnectionHeader() {}
 
@@ -44,17 +44,8 @@ final class ConnectionHeader {
     return (field.getKey() + "=" + field.getValue()).getBytes(StandardCharsets.UTF_8);
   }
 
-  static Map<String, String> read(DataInputStream in) throws IOException {
-    int size = Integer.reverseBytes(in.readInt());
-    if (size < 0 || size > MAX_SIZE) {
-      throw new IOException("no TCPROS: a header of " + size + " bytes");
-    }
-    byte[] bytes = new byte[size];
-    in.readFully(bytes);
-    return read(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
-  }
-
-  private static Map<String, String> read(ByteBuffer in) throws IOException {
+  /** The fields in what comes behind the length. */
+  static Map<String, String> read(ByteBuffer in) throws IOException {
     Map<String, String> fields = new LinkedHashMap<>();
     while (in.hasRemaining()) {
       int length = in.remaining() < Integer.BYTES ? -1 : in.getInt();

@@ -2,6 +2,7 @@ package org.urbi.ros.one;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -88,8 +89,7 @@ final class OneServiceClient implements ServiceClient {
     CompletableFuture<UDictionary> answer = new CompletableFuture<>();
     turns.execute(() -> {
       try {
-        byte[] response = keepAlive ? askKept(bytes, answer) : askOnce(bytes, answer);
-        answer.complete(responses.decode(response));
+        answer.complete(keepAlive ? askKept(bytes, answer) : askOnce(bytes, answer));
       } catch (IOException e) {
         answer.completeExceptionally(
             new RosException(closed ? service + ": closed" : service + ": " + e.getMessage(), e));
@@ -102,7 +102,7 @@ final class OneServiceClient implements ServiceClient {
     return answer;
   }
 
-  private byte[] askOnce(byte[] request, CompletableFuture<?> answer) throws IOException {
+  private UDictionary askOnce(byte[] request, CompletableFuture<?> answer) throws IOException {
     TcpRosConnection connection = connect();
     try {
       return ask(connection, request, answer);
@@ -112,7 +112,7 @@ final class OneServiceClient implements ServiceClient {
   }
 
   /** One after the other, by a connection that may have been broken since it was used last. */
-  private byte[] askKept(byte[] request, CompletableFuture<?> answer) throws IOException {
+  private UDictionary askKept(byte[] request, CompletableFuture<?> answer) throws IOException {
     TcpRosConnection before = kept;
     if (before != null && !answer.isDone()) {
       try {
@@ -164,7 +164,7 @@ final class OneServiceClient implements ServiceClient {
     connection.close();
   }
 
-  private byte[] ask(TcpRosConnection connection, byte[] request, CompletableFuture<?> answer)
+  private UDictionary ask(TcpRosConnection connection, byte[] request, CompletableFuture<?> answer)
       throws IOException {
     answer.whenComplete((value, failure) -> {
       if (failure instanceof TimeoutException) {
@@ -175,11 +175,11 @@ final class OneServiceClient implements ServiceClient {
     connection.write(request);
     connection.flush();
     boolean done = connection.readByte() == 1;
-    byte[] response = connection.read();
+    ByteBuffer response = connection.read();
     if (!done) {
-      throw new RosException(service + ": " + new String(response, StandardCharsets.UTF_8));
+      throw new RosException(service + ": " + StandardCharsets.UTF_8.decode(response));
     }
-    return response;
+    return responses.decode(response);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.urbi.ros.one;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -100,7 +101,7 @@ final class OneServiceServer implements ServiceServer {
     return header;
   }
 
-  private void answer(TcpRosConnection connection, byte[] request) throws IOException {
+  private void answer(TcpRosConnection connection, ByteBuffer request) throws IOException {
     byte[] answer;
     boolean done = false;
     try {

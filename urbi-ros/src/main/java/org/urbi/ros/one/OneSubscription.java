@@ -216,9 +216,9 @@ final class OneSubscription implements Subscription {
       connected = true;
       complaint = "";
       while (!ended) {
-        byte[] bytes = open.read();
+        ByteBuffer bytes = open.read();
         synchronized (OneSubscription.this.listener) {
-          if (ended || listener.takes(ByteBuffer.wrap(bytes))) {
+          if (ended || listener.takes(bytes.slice())) {
             continue;
           }
         }

@@ -3,11 +3,15 @@ package org.urbi.ros.one;
 import java.io.EOFException;
 import java.io.IOException;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.MessageCodec;
 import org.urbi.ros.graph.Publisher;
@@ -22,6 +26,9 @@ import urbi.UDictionary;
 /** A topic on which this node says something: who listens, and what each has still to get. */
 final class Publication {
   private static final int MAX_WAITING = 1000;
+
+  /** Bytes that are no longer waiting, but being sent. */
+  private static final int BATCH = 1 << 16;
 
   private final OneNode node;
   private final String topic;
@@ -85,6 +92,12 @@ final class Publication {
     private final String name;
     private final TcpRosConnection connection;
     private final Deque<byte[]> waiting = new ArrayDeque<>();
+
+    /** Not a monitor: threads of the JDK that wait for one are woken by way of another thread. */
+    private final Lock lock = new ReentrantLock();
+
+    private final Condition changed = lock.newCondition();
+    private boolean isIdle;
     private boolean closed;
 
     Listener(String name, TcpRosConnection connection) {
@@ -92,42 +105,69 @@ final class Publication {
       this.connection = connection;
     }
 
-    synchronized void offer(byte[] message) {
+    void offer(byte[] message) {
       int most = qos.depth() == 0 ? MAX_WAITING : Math.min(qos.depth(), MAX_WAITING);
-      while (waiting.size() >= most) {
-        waiting.removeFirst();
+      lock.lock();
+      try {
+        while (waiting.size() >= most) {
+          waiting.removeFirst();
+        }
+        waiting.addLast(message);
+        if (isIdle) {
+          isIdle = false;
+          changed.signal();
+        }
+      } finally {
+        lock.unlock();
       }
-      waiting.addLast(message);
-      notifyAll();
     }
 
-    private synchronized byte @Nullable [] next() {
-      return waiting.pollFirst();
-    }
-
-    private synchronized boolean awaitMessage() throws InterruptedException {
-      while (waiting.isEmpty() && !closed) {
-        wait();
+    /**
+     * Waits for something to send.
+     *
+     * @param batch gets as much of it as is written at once; nothing when that is all
+     */
+    private void take(List<byte[]> batch) throws InterruptedException {
+      lock.lock();
+      try {
+        while (waiting.isEmpty() && !closed) {
+          isIdle = true;
+          changed.await();
+        }
+        int size = 0;
+        while (!waiting.isEmpty() && !closed && size < BATCH) {
+          byte[] message = waiting.removeFirst();
+          size += message.length;
+          batch.add(message);
+        }
+      } finally {
+        lock.unlock();
       }
-      return !closed;
     }
 
     void write() throws IOException, InterruptedException {
       try {
-        while (awaitMessage()) {
-          for (byte[] message = next(); message != null; message = next()) {
+        List<byte[]> batch = new ArrayList<>();
+        for (take(batch); !batch.isEmpty(); take(batch)) {
+          for (byte[] message : batch) {
             connection.write(message);
           }
           connection.flush();
+          batch.clear();
         }
       } finally {
         connection.close();
       }
     }
 
-    synchronized void close() {
-      closed = true;
-      notifyAll();
+    void close() {
+      lock.lock();
+      try {
+        closed = true;
+        changed.signal();
+      } finally {
+        lock.unlock();
+      }
       connection.close();
     }
   }

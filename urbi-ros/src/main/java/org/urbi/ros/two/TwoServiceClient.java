@@ -194,9 +194,7 @@ final class TwoServiceClient implements ServiceClient {
       CompletableFuture<UDictionary> answer = asked.answer;
       ByteBuffer bytes = sample.payload();
       try {
-        answer.complete(
-            replies.decode(
-                bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining()));
+        answer.complete(replies.decode(bytes));
       } catch (CodecException e) {
         answer.completeExceptionally(
             new RosException(service + " answers what is none: " + e.getMessage(), e));

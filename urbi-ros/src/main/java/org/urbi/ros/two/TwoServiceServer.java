@@ -82,8 +82,7 @@ final class TwoServiceServer implements ServiceServer {
     ByteBuffer bytes = request.payload();
     UDictionary asked;
     try {
-      asked =
-          requests.decode(bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining());
+      asked = requests.decode(bytes);
     } catch (CodecException e) {
       // ROS 2 has no way to refuse: whoever sends something that is not a request gets no answer.
       String owner = node.owners().now(client);

@@ -128,8 +128,7 @@ final class TwoSubscription implements Subscription {
       if (listener.takes(bytes.asReadOnlyBuffer())) return;
       UDictionary message;
       try {
-        message =
-            codec.decode(bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining());
+        message = codec.decode(bytes);
       } catch (CodecException e) {
         String owner = node.owners().now(sample.identity().writer());
         troubles.tell(owner + " sends what is no " + codec.type().name() + ": " + e.getMessage());
