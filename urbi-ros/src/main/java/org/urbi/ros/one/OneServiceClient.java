@@ -111,25 +111,25 @@ final class OneServiceClient implements ServiceClient {
     }
   }
 
-  /** One after the other, by a connection that may have been broken since it was used last. */
+  /** One after the other, by a connection that is made again when the service has closed it. */
   private UDictionary askKept(byte[] request, CompletableFuture<?> answer) throws IOException {
-    TcpRosConnection before = kept;
-    if (before != null && !answer.isDone()) {
-      try {
-        return ask(before, request, answer);
-      } catch (IOException e) {
-        end(before);
-        kept = null;
-      }
-    }
     if (answer.isDone()) {
       throw new IOException("nobody waits for the answer any more");
     }
-    TcpRosConnection connection = connect();
-    kept = connection;
+    TcpRosConnection connection = kept;
+    if (connection != null && connection.isOver()) {
+      end(connection);
+      connection = null;
+    }
+    if (connection == null) {
+      kept = null;
+      connection = connect();
+      kept = connection;
+    }
     try {
       return ask(connection, request, answer);
     } catch (IOException e) {
+      // The service may have done it already: only who has asked can know whether to ask again.
       end(connection);
       kept = null;
       throw e;
@@ -138,7 +138,7 @@ final class OneServiceClient implements ServiceClient {
 
   private TcpRosConnection connect() throws IOException {
     URI address = node.serviceAddress(service);
-    TcpRosConnection connection = TcpRosConnection.to(address.getHost(), address.getPort());
+    TcpRosConnection connection = TcpRosConnection.watched(address.getHost(), address.getPort());
     open.add(connection);
     try {
       if (closed) {

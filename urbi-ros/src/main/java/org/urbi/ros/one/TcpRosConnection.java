@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.SocketChannel;
 import java.util.Arrays;
 import java.util.Map;
 
@@ -59,7 +60,16 @@ final class TcpRosConnection implements AutoCloseable {
 
   /** Connects to another node. */
   static TcpRosConnection to(String host, int port) throws IOException {
-    Socket socket = new Socket();
+    return connected(new Socket(), host, port);
+  }
+
+  /** Connects to another node by a connection that can be asked whether it {@link #isOver}. */
+  static TcpRosConnection watched(String host, int port) throws IOException {
+    return connected(SocketChannel.open().socket(), host, port);
+  }
+
+  private static TcpRosConnection connected(Socket socket, String host, int port)
+      throws IOException {
     try {
       socket.connect(new InetSocketAddress(host, port), PATIENCE);
       return new TcpRosConnection(socket);
@@ -132,6 +142,22 @@ final class TcpRosConnection implements AutoCloseable {
         ByteBuffer.wrap(received, start + Integer.BYTES, length).order(ByteOrder.LITTLE_ENDIAN);
     start += Integer.BYTES + length;
     return message;
+  }
+
+  /**
+   * Whether the peer has closed the connection while nothing was expected of it, or has sent
+   * something all the same, which nobody can tell from what will be expected. Waits for nothing.
+   */
+  boolean isOver() {
+    SocketChannel channel = socket.getChannel();
+    try {
+      channel.configureBlocking(false);
+      boolean isSilent = start == end && channel.read(ByteBuffer.allocate(1)) == 0;
+      channel.configureBlocking(true);
+      return !isSilent;
+    } catch (IOException e) {
+      return true;
+    }
   }
 
   int readByte() throws IOException {

@@ -130,6 +130,43 @@ class HostileServicesTest {
     }
   }
 
+  /** What it was asked it may have done: that is not asked again, but told. */
+  @Test
+  void aServiceThatGoesBeforeItAnswers() throws Exception {
+    ServiceClient client = Awaited.value(node.client("/mute", flip, true));
+    CompletableFuture<UDictionary> first = client.request(flip(true));
+    try (TcpRosConnection connection = accept()) {
+      connection.read();
+      answer(connection);
+      Awaited.value(first);
+      CompletableFuture<UDictionary> lost = client.request(flip(true));
+      connection.read();
+      connection.close();
+      CompletionException told = assertThrows(CompletionException.class, () -> Awaited.value(lost));
+      assertEquals("/mute: the peer has closed the connection", told.getCause().getMessage());
+    }
+    CompletableFuture<UDictionary> next = client.request(flip(false));
+    try (TcpRosConnection connection = accept()) {
+      assertEquals(0, connection.read().get());
+      answer(connection);
+      Awaited.value(next);
+    }
+  }
+
+  /** What it has not been asked yet is asked by a new connection. */
+  @Test
+  void aServiceThatGoesBetweenRequests() throws Exception {
+    ServiceClient client = Awaited.value(node.client("/mute", flip, true));
+    for (int i = 0; i < 3; i++) {
+      CompletableFuture<UDictionary> answered = client.request(flip(true));
+      try (TcpRosConnection connection = accept()) {
+        connection.read();
+        answer(connection);
+        Awaited.value(answered);
+      }
+    }
+  }
+
   /** It keeps its own thread, and nobody else's; and that goes with it. */
   @Test
   void aClientThatDoesNotListen() throws Exception {
