@@ -43,15 +43,6 @@ final class TableWriter {
     line("");
     line("/** The builtins of " + type.type + "; generated from " + type.className + ". */");
     line("public final class " + name + " extends " + KernelClassNames.TABLE + " {");
-    if (isMade(type)) {
-      line("  private final " + type.className + " builtins;");
-      line("");
-    }
-    line("  public " + name + "(" + join(type.services) + ") {");
-    line("    super(");
-    line("        " + literal(type.type) + ",");
-    line("        " + literal(type.doc) + ",");
-    line("        " + strings(type.protos) + ",");
     List<String> entries = new ArrayList<>();
     List<String> labels = new ArrayList<>();
     int index = 0;
@@ -63,8 +54,20 @@ final class TableWriter {
       }
       labels.add(label.append(":").toString());
     }
-    line("        new Entry[] {" + String.join(",", entries));
-    line("        });");
+    // Every kernel makes a table; they share what was declared.
+    line("  private static final Entry[] ENTRIES = {" + String.join(",", entries));
+    line("  };");
+    line("");
+    if (isMade(type)) {
+      line("  private final " + type.className + " builtins;");
+      line("");
+    }
+    line("  public " + name + "(" + join(type.services) + ") {");
+    line("    super(");
+    line("        " + literal(type.type) + ",");
+    line("        " + literal(type.doc) + ",");
+    line("        " + strings(type.protos) + ",");
+    line("        ENTRIES);");
     if (isMade(type)) {
       line("    this.builtins = new " + type.className + "(" + names(type.services) + ");");
     }
@@ -88,7 +91,7 @@ final class TableWriter {
 
   private static String entry(String name, Declaration.Method method) {
     return String.format(
-        "%n          new Entry(%s, %d, %s, %b, %b, %s.%s, %b, %s, %s, %s)",
+        "%n    new Entry(%s, %d, %s, %b, %b, %s.%s, %b, %s, %s, %s)",
         literal(name),
         method.min(),
         method.max() < 0 ? "Integer.MAX_VALUE" : String.valueOf(method.max()),

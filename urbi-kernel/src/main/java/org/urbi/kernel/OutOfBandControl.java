@@ -103,6 +103,10 @@ final class OutOfBandControl {
     if (shares != null) {
       shares.stop();
     }
+    HoldWatchdog who = watch;
+    if (who != null) {
+      who.end();
+    }
   }
 
   private String interruptHolder() {

@@ -1,6 +1,6 @@
 package org.urbi.kernel.job;
 
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
@@ -61,7 +61,7 @@ public final class HoldWatchdog {
   private volatile boolean memoryLimited;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
-  private boolean started;
+  private @Nullable Thread thread;
 
   /** The turn whose job was ended last. */
   private volatile long toldTurn = -1;
@@ -182,10 +182,15 @@ public final class HoldWatchdog {
   }
 
   private synchronized void watchFromNowOn() {
-    if (!started) {
-      started = true;
-      FailureLog.THREADS.platform("urbi-watch", this::watch).start();
+    if (thread == null) {
+      thread = FailureLog.THREADS.platform("urbi-watch", this::watch);
+      thread.start();
     }
+  }
+
+  /** The kernel has ended: its watch need not keep it in memory until the next look. */
+  public synchronized void end() {
+    LockSupport.unpark(thread);
   }
 
   /**
@@ -244,9 +249,8 @@ public final class HoldWatchdog {
         // Without this thread no job would end any more.
         failure.met(e);
       }
-      try {
-        TimeUnit.NANOSECONDS.sleep(hurried ? Math.max(SHORTEST_PAUSE, pause / HURRY) : pause);
-      } catch (InterruptedException e) {
+      LockSupport.parkNanos(hurried ? Math.max(SHORTEST_PAUSE, pause / HURRY) : pause);
+      if (Thread.interrupted()) {
         return;
       }
     }

@@ -10,8 +10,8 @@ import org.urbi.kernel.time.SystemClock;
 
 /**
  * Frees memory when it is nearly exhausted, for all kernels of the process, which share its heap.
- * There is one thread for all of them, from the start of the first until the end of the last one:
- * none could be made when memory is exhausted.
+ * There is one thread for all of them, from the start of the first until a moment after the end of
+ * the last one: none could be made when memory is exhausted.
  */
 public final class MemoryWatchdog {
   private static final long PERIOD_MILLISECONDS = 250;
@@ -50,7 +50,8 @@ public final class MemoryWatchdog {
   /** Whether one of those that have not been looked at got no memory. */
   private boolean failed;
 
-  private MemoryWatchdog() {}
+  /** One that looks after the kernels of nobody else. */
+  MemoryWatchdog() {}
 
   /** Watches the memory for one more kernel, until {@link #remove}. */
   public static void add(MemoryUser user) {
@@ -100,7 +101,7 @@ public final class MemoryWatchdog {
     }
   }
 
-  private synchronized void join(MemoryUser user) {
+  synchronized void join(MemoryUser user) {
     if (thread == null) {
       var heap = new HeapUsage();
       var worked = new WorkTime(clock, heap);
@@ -120,11 +121,8 @@ public final class MemoryWatchdog {
     users[users.length - 1] = user;
   }
 
-  private synchronized void leave(MemoryUser user) {
+  synchronized void leave(MemoryUser user) {
     users = Arrays.stream(users).filter(each -> each != user).toArray(MemoryUser[]::new);
-    if (users.length == 0) {
-      notifyAll();
-    }
   }
 
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
@@ -205,11 +203,12 @@ public final class MemoryWatchdog {
   }
 
   /**
-   * Waits for the next period, or until somebody wants a look; returns at once, with nobody, when
-   * the last kernel has ended.
+   * Waits for the next period, or until somebody wants a look; returns nobody when there is no
+   * kernel then. It does not wait less after the last one has ended: often there is another one
+   * soon, which need not pay for a thread, and for the memory that it keeps.
    */
   private synchronized MemoryUser[] next(MemoryRescue rescue) {
-    if (users.length > 0 && wants == seen) {
+    if (wants == seen) {
       try {
         wait(rescue.isWaiting() ? SHORT_PERIOD_MILLISECONDS : PERIOD_MILLISECONDS);
       } catch (InterruptedException e) {

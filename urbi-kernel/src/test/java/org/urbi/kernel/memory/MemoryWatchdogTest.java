@@ -51,12 +51,14 @@ class MemoryWatchdogTest {
   @Test
   void defectsOfKernelsDoNotEndIt() throws InterruptedException {
     var kernel = new Defective();
-    MemoryWatchdog.add(kernel);
+    // The one of the process may still be there from the kernels of other tests.
+    var watchdog = new MemoryWatchdog();
+    watchdog.join(kernel);
     try {
       assertTrue(kernel.prepared.await(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
       assertTrue(kernel.looked.await(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS));
     } finally {
-      MemoryWatchdog.remove(kernel);
+      watchdog.leave(kernel);
     }
   }
 }

@@ -25,10 +25,17 @@ public final class ExceptionTypes {
   private static final String WRONG = "What is wrong.";
   private static final String BAD_NUMBER = "Exception.BadNumber";
 
+  /** They need nothing of a kernel: all kernels have the same. */
+  private static final List<BuiltinTable> TABLES = rows();
+
   private ExceptionTypes() {}
 
-  /** New tables of all types but Exception itself, in alphabetical order. */
+  /** The tables of all types but Exception itself, in alphabetical order. */
   public static List<BuiltinTable> tables() {
+    return TABLES;
+  }
+
+  private static List<BuiltinTable> rows() {
     return List.of(
         new ExceptionTable(
             "Dictionary.KeyError",

@@ -19,10 +19,17 @@ public final class TrajectoryKinds {
   private static final String OPEN_LOOP = "TrajectoryGenerator.OpenLoop";
   private static final String CLOSED_LOOP = "TrajectoryGenerator.ClosedLoop";
 
+  /** They need nothing of a kernel: all kernels have the same. */
+  private static final List<BuiltinTable> TABLES = rows();
+
   private TrajectoryKinds() {}
 
-  /** New tables of all kinds, in alphabetical order. */
+  /** The tables of all kinds, in alphabetical order. */
   public static List<BuiltinTable> tables() {
+    return TABLES;
+  }
+
+  private static List<BuiltinTable> rows() {
     return List.of(
         new Kind(
             "TrajectoryGenerator.Accel",
