@@ -51,9 +51,22 @@ public final class StringDistance {
   private static String lower(String text) {
     char[] chars = text.toCharArray();
     for (int i = 0; i < chars.length; i++) {
-      chars[i] = 'A' <= chars[i] && chars[i] <= 'Z' ? (char) (chars[i] - 'A' + 'a') : chars[i];
+      chars[i] = lower(chars[i]);
     }
     return new String(chars);
+  }
+
+  private static char lower(char letter) {
+    return 'A' <= letter && letter <= 'Z' ? (char) (letter - 'A' + 'a') : letter;
+  }
+
+  /** Which letters are in a word, whatever their case; some of them share one of the bits. */
+  private static long letters(String word) {
+    long letters = 0;
+    for (int i = 0; i < word.length(); i++) {
+      letters |= 1L << lower(word.charAt(i));
+    }
+    return letters;
   }
 
   /** The first of the most similar candidates; null if none is similar enough. */
@@ -86,6 +99,7 @@ public final class StringDistance {
   public static final class ClosestName {
     private final String name;
     private final String lower;
+    private final long letters;
     private final boolean open;
     private boolean known;
     private int least = MOST_EDITS + 1;
@@ -94,6 +108,7 @@ public final class StringDistance {
     public ClosestName(String name) {
       this.name = name;
       this.lower = lower(name);
+      this.letters = letters(name);
       this.open = name.length() <= LONGEST_NAME;
     }
 
@@ -109,6 +124,11 @@ public final class StringDistance {
       }
       if (candidate.equals(name)) {
         known = true;
+        return;
+      }
+      // An error brings one letter at most, and takes away one: that decides for most names.
+      long others = letters(candidate);
+      if (Long.bitCount(letters & ~others) > most || Long.bitCount(others & ~letters) > most) {
         return;
       }
       int edits = Math.max(1, distance(lower, lower(candidate), () -> {}));
