@@ -447,7 +447,10 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       kernel.leftBehind().end(this, reason);
     } else {
       lobby().shell().interrupt();
-      lobby().connectionTag().state().stop(kernel.interpreter().values().voidObject);
+      lobby()
+          .connectionTag()
+          .state()
+          .stop(kernel.scheduler(), kernel.interpreter().values().voidObject);
       tell(Problem.EVICTED.text(reason));
       consumed();
     }

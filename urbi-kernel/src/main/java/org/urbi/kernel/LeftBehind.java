@@ -171,6 +171,6 @@ final class LeftBehind {
                   reason, who.description(), who.budget().used(Resource.JOBS)));
     }
     kernel.lobbies().closeCreated(who.budget());
-    who.lobby().endDetached(kernel.interpreter().values().voidObject);
+    who.lobby().endDetached(kernel.interpreter());
   }
 }

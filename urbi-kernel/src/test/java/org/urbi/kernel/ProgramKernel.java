@@ -199,7 +199,7 @@ final class ProgramKernel implements AutoCloseable {
     }
     if (lobby.hasDetached() && lobby.hasEnded()) {
       // Only what it has detached from its connection (disown) is left, which is meant to go on.
-      lobby.endDetached(interpreter.values().voidObject);
+      lobby.endDetached(interpreter);
       awaitEnd(watcher, before);
     }
     kernel.memory().remove(client);

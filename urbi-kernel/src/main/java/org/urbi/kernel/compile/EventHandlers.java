@@ -77,10 +77,17 @@ final class EventHandlers {
   }
 
   Node stopIf(Ast.StopIf watched, LexicalScope block, HandledJumps seen) {
+    var scheduler = compilation.interpreter().scheduler();
     var nothing = compilation.interpreter().values().voidObject;
     // The tag is used only once: if the condition holds from the start, the code does not start.
     return watched(
-        watched, watched.condition(), watched.body(), tag -> tag.block(nothing), null, block, seen);
+        watched,
+        watched.condition(),
+        watched.body(),
+        tag -> tag.block(scheduler, nothing),
+        null,
+        block,
+        seen);
   }
 
   Node freezeIf(Ast.FreezeIf watched, LexicalScope block, HandledJumps seen) {

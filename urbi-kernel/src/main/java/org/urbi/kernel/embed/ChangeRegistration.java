@@ -43,6 +43,7 @@ final class ChangeRegistration {
       frame.job().leave(scope);
     }
     events.subscribe(frame, changes);
-    return events.listening(() -> tag.stop(interpreter.values().voidObject));
+    return events.listening(
+        () -> tag.stop(interpreter.scheduler(), interpreter.values().voidObject));
   }
 }

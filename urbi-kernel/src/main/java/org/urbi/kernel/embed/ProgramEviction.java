@@ -88,7 +88,7 @@ final class ProgramEviction implements Evictable {
   /** Ends what was begun before that was decided. */
   void obey(Message.ProgramEvicted order, UrbiObject nothing) {
     UrbiLobby of = own();
-    tag().stop(nothing, order.last());
+    tag().stop(scheduler, nothing, order.last());
     Diagnostics.error(of.output(), Problem.EVICTED.text(order.reason()));
     // If there was no memory for that, its jobs must not take more until there is.
     scheduler.interruptions().clear(of);

@@ -88,7 +88,7 @@ public final class AtCondition extends Node {
 
     @Override
     public void evaluated(UrbiObject value, Job evaluator) {
-      if (handler.scope().isFrozen()) {
+      if (handler.scope().isSilent()) {
         return;
       }
       boolean before = holds;

@@ -69,7 +69,7 @@ public final class AtEvent extends Node {
 
     @Override
     public void begin(Emission emission, Job emitter) {
-      if (handler.scope().isFrozen()) {
+      if (handler.scope().isSilent()) {
         return;
       }
       Frame matched = handler.home();
@@ -112,7 +112,7 @@ public final class AtEvent extends Node {
         if (waiting.timer != null) {
           waiting.timer.cancel();
         }
-        if (waiting.entered != null && !stopped) {
+        if (waiting.entered != null && !stopped && !handler.scope().isStopping()) {
           handler.leave(waiting.entered, emitter, emission.isSync());
         }
       }

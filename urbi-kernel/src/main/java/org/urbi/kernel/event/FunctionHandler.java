@@ -68,7 +68,7 @@ public final class FunctionHandler implements Subscription, Reaction {
 
   @Override
   public void begin(Emission emission, Job emitter) {
-    if (scope.isFrozen()) {
+    if (scope.isSilent()) {
       return;
     }
     if (guard == null) {

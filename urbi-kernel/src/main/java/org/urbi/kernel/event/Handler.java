@@ -121,6 +121,10 @@ final class Handler {
         .timers()
         .add(
             scheduler.now() + nanoseconds,
-            () -> scheduler.startDetached(lobby, scope, "at", action));
+            () -> {
+              if (!scope.isStopping()) {
+                scheduler.startDetached(lobby, scope, "at", action);
+              }
+            });
   }
 }

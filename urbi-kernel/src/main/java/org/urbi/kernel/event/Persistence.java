@@ -57,7 +57,9 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
   }
 
   private void timeIsUp() {
-    home.job().scheduler().startDetached(lobby, scope, "persist", job -> set(job, true));
+    if (!scope.isStopping()) {
+      home.job().scheduler().startDetached(lobby, scope, "persist", job -> set(job, true));
+    }
   }
 
   private void set(Job job, boolean holds) {

@@ -199,7 +199,7 @@ public final class Whenever extends Node {
 
     @Override
     public void begin(Emission emission, Job emitter) {
-      if (scope.isFrozen()) {
+      if (scope.isSilent()) {
         return;
       }
       Frame matched = home.fork(emitter, false);

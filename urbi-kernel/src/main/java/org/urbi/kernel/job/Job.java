@@ -36,6 +36,9 @@ public final class Job extends JobFacts implements Runnable {
   /** The values of the {@linkplain JobLocal variables} that were set for this job. */
   JobLocal.@Nullable Entry locals;
 
+  /** How many stops made in pieces it has met, or was started after. */
+  private int stopsMet;
+
   private int nestedSends;
   private int nonInterruptible;
   private double priority;
@@ -70,6 +73,7 @@ public final class Job extends JobFacts implements Runnable {
     this.group = group;
     this.grouped = group == null ? null : new JobList.Link(this);
     this.thread = scheduler.threads().create(this);
+    this.stopsMet = scheduler.stops().begun();
     this.time = new JobTime(this, scope.frozenDepth(), timeShift);
     scope.add(this);
     if (creator != null && creator.observer != null) {
@@ -106,6 +110,10 @@ public final class Job extends JobFacts implements Runnable {
 
   public boolean isFrozen() {
     return time.isFrozen();
+  }
+
+  boolean isOf(JobGroup other) {
+    return group == other;
   }
 
   /** Whether it does not wait for anything, not even to be unfrozen. */
@@ -490,6 +498,7 @@ public final class Job extends JobFacts implements Runnable {
     if (state == JobState.ENDED) {
       return;
     }
+    meetStops();
     if (injected == null || unwinding instanceof TagStop stop && stop.isOuter(injected)) {
       injected = unwinding;
       scheduler.yields().endGrant();
@@ -514,11 +523,22 @@ public final class Job extends JobFacts implements Runnable {
     inject(TagStop.WHOLE_JOB);
   }
 
+  /** It has been stopped with very many others, and is the next one to learn of it. */
+  void meetStops() {
+    int met = stopsMet;
+    Stops stops = scheduler.stops();
+    if (met != stops.begun()) {
+      stopsMet = stops.begun();
+      stops.meet(this, met);
+    }
+  }
+
   /** The turn of the job; called by the tick loop alone. */
   void resume() {
     if (state == JobState.ENDED) {
       return;
     }
+    meetStops();
     if (time.isFrozen() && injected == null) {
       time.hold();
       return;

@@ -40,7 +40,7 @@ public final class JobGroup {
       failure = thrown;
       parent.inject(new ChildFailure(this, thrown));
       // Stop the others now: they must not run on until the parent's next turn.
-      live.forEach(Job::terminate);
+      endLive();
     } else if (live.isEmpty()) {
       parent.wake();
     }
@@ -81,6 +81,12 @@ public final class JobGroup {
   public void leave() {
     left = true;
     parent.forget(this);
-    live.forEach(Job::terminate);
+    endLive();
+  }
+
+  private void endLive() {
+    if (!live.isEmpty()) {
+      parent.scheduler().stops().begin(new StopOfGroup(this, live));
+    }
   }
 }

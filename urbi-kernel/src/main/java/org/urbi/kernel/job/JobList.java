@@ -1,7 +1,6 @@
 package org.urbi.kernel.job;
 
 import java.util.Collection;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
@@ -51,15 +50,6 @@ final class JobList {
       }
     }
     return false;
-  }
-
-  /** Calls an action with each job, which may take that job out of this list, but no other. */
-  void forEach(Consumer<Job> action) {
-    Link next;
-    for (Link link = first; link != null; link = next) {
-      next = link.after;
-      action.accept(link.job);
-    }
   }
 
   /** Adds all the jobs to a collection. */

@@ -50,6 +50,7 @@ public final class Scheduler {
   private final Newcomers newcomers;
   private final JobList jobs = new JobList();
   private final TagScope rootScope = new TagScope();
+  private final Stops stops = new Stops(this);
   private final EndOfTick endOfTick = new EndOfTick();
   private final BiConsumer<Job, Throwable> uncaught;
   private BiFunction<Problem, Object[], RuntimeException> refusals =
@@ -209,6 +210,11 @@ public final class Scheduler {
   /** The scope of code under no tag. */
   public TagScope rootScope() {
     return rootScope;
+  }
+
+  /** The stops of tags and of groups. */
+  Stops stops() {
+    return stops;
   }
 
   /** The job whose turn it is; null between turns. */
@@ -477,14 +483,15 @@ public final class Scheduler {
       memory.await();
     }
     fireTimers();
+    stops.goOn();
     newcomers.joinAhead();
     if (runnable.isEmpty() && newcomers.behind() == 0) {
       meter.turnOf(null);
       runEndOfTick();
       time.endEmptyTick();
-      if (!stopped && endOfTick.isEmpty()) {
+      if (mayIdle()) {
         time.noteQuiet(inbox);
-        if (!stopped && endOfTick.isEmpty()) {
+        if (mayIdle()) {
           time.idle(inbox);
         }
       }
@@ -496,6 +503,10 @@ public final class Scheduler {
     runEndOfTick();
     inbox.pollIfDue(time.now());
     time.endTick();
+  }
+
+  private boolean mayIdle() {
+    return !stopped && endOfTick.isEmpty() && stops.isEmpty();
   }
 
   /** Runs an action that is not the code of a job: if it fails, the kernel continues. */

@@ -47,6 +47,7 @@ public final class TagScope {
   private final Set<Attachment> attachments = new LinkedHashSet<>();
   private int sweptAt = SWEPT_FROM;
   private boolean closed;
+  private int stops;
   private boolean over;
 
   /** The root of the tree of a kernel: under no tag at all. */
@@ -82,6 +83,11 @@ public final class TagScope {
   /** The surrounding scope; not for the root. */
   public TagScope parent() {
     return requireNonNull(parent, "nobody leaves the root, or stops it");
+  }
+
+  /** The surrounding scope; null for the root. */
+  @Nullable TagScope around() {
+    return parent;
   }
 
   @Nullable Job owner() {
@@ -168,6 +174,36 @@ public final class TagScope {
     return false;
   }
 
+  /** A stop made in pieces has begun here. */
+  void beginStop() {
+    stops++;
+  }
+
+  /** One of those is over. */
+  void endStop() {
+    stops--;
+  }
+
+  /** Whether handlers here must not react: they are frozen, or about to be stopped. */
+  public boolean isSilent() {
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.stops > 0 || scope.tag.isFrozen()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether handlers here are about to be stopped. */
+  public boolean isStopping() {
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.stops > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Whether a surrounding tag suspends the code here. */
   public boolean isFrozen() {
     return frozenDepth() > 0;
@@ -195,11 +231,21 @@ public final class TagScope {
     return found;
   }
 
-  /** Every job under this scope, in the order in which they came. */
-  List<Job> allJobs() {
-    List<Job> all = new ArrayList<>();
-    collect(all);
-    return all;
+  /** The jobs directly under this scope. */
+  List<Job> ownJobs() {
+    List<Job> own = new ArrayList<>(jobs.size());
+    jobs.addTo(own);
+    return own;
+  }
+
+  /** What waits directly under this scope without a job. */
+  List<Attachment> ownAttachments() {
+    return new ArrayList<>(attachments);
+  }
+
+  /** The scopes directly within this one. */
+  List<TagScope> innerScopes() {
+    return inner.isEmpty() ? List.of() : new ArrayList<>(inner);
   }
 
   /** Whether there is a job under this scope. */
@@ -229,7 +275,7 @@ public final class TagScope {
     }
   }
 
-  /** Adds every job under this scope. */
+  /** Adds every job under this scope, in the order in which they came. */
   void collect(List<Job> all) {
     jobs.addTo(all);
     for (TagScope scope : inner) {

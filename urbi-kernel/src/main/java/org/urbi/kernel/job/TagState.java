@@ -108,30 +108,24 @@ public final class TagState {
   }
 
   /** Ends all the code that is running under this tag, which returns the value. */
-  public void stop(UrbiObject value) {
-    stop(value, Long.MAX_VALUE);
+  public void stop(Scheduler scheduler, UrbiObject value) {
+    stop(scheduler, value, Long.MAX_VALUE);
   }
 
   /**
    * The same, but not what jobs have begun whose numbers are greater than that, unless it is within
    * what is ended.
    */
-  public void stop(UrbiObject value, long last) {
-    for (TagScope scope : new ArrayList<>(scopes)) {
-      if (!scope.isOf(last)) {
-        continue;
-      }
-      for (TagScope.Attachment attachment : scope.allAttachments()) {
-        attachment.stopped(scope);
-      }
-      TagStop unwinding = new TagStop(scope, value);
-      for (Job job : scope.allJobs()) {
-        job.inject(unwinding);
-      }
-    }
+  public void stop(Scheduler scheduler, UrbiObject value, long last) {
+    scheduler.stops().begin(new StopOfTag(this, value, false, last));
   }
 
-  /** Whether {@link #stop(UrbiObject, long)} ends that job. */
+  /** The same without the {@code onleave} clauses of what waits there without a job (handlers). */
+  public void abandon(Scheduler scheduler, UrbiObject value) {
+    scheduler.stops().begin(new StopOfTag(this, value, true, Long.MAX_VALUE));
+  }
+
+  /** Whether {@link #stop(Scheduler, UrbiObject, long)} ends that job. */
   public boolean isStopped(Job job, long last) {
     return job.scope().isWithin(this, last);
   }
@@ -146,9 +140,9 @@ public final class TagState {
   }
 
   /** Stops the code under this tag, and lets no more code begin. */
-  public void block(UrbiObject value) {
+  public void block(Scheduler scheduler, UrbiObject value) {
     blockedValue = value;
-    stop(value);
+    stop(scheduler, value);
   }
 
   public void unblock() {

@@ -200,7 +200,7 @@ public final class Shell {
     reader = newReader();
     if (busy) {
       UrbiObject nothing = interpreter.values().voidObject;
-      foregroundTag.state().stop(nothing);
+      foregroundTag.state().stop(interpreter.scheduler(), nothing);
       Diagnostics.error(lobby.output(), Problem.INTERRUPTED.text());
     }
   }
@@ -216,8 +216,10 @@ public final class Shell {
     if (!stopped) {
       received.setLength(0);
       // Ends handlers without their onleave clauses: no client is left for them.
-      lobby.connectionTag().state().dismiss();
-      lobby.connectionTag().state().stop(interpreter.values().voidObject);
+      lobby
+          .connectionTag()
+          .state()
+          .abandon(interpreter.scheduler(), interpreter.values().voidObject);
       if (lobby.remoteObjects() != null) {
         lobby.remoteObjects().disconnected();
       }

@@ -90,10 +90,9 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   }
 
   /** Ends what is left when the client has left: what its code has detached, and what lingers. */
-  public void endDetached(UrbiObject value) {
+  public void endDetached(Interpreter interpreter) {
     for (TagState tag : List.of(connectionTag().state(), detachedTag)) {
-      tag.dismiss();
-      tag.stop(value);
+      tag.abandon(interpreter.scheduler(), interpreter.values().voidObject);
     }
   }
 

@@ -72,7 +72,7 @@ public final class Blending implements SlotBlending {
       }
       case CANCEL -> {
         for (TagState motion : new ArrayList<>(motions.values())) {
-          motion.stop(frame.interpreter.values().voidObject);
+          motion.stop(frame.job.scheduler(), frame.interpreter.values().voidObject);
         }
         motions.clear();
       }

@@ -29,7 +29,7 @@ public final class LoopJobs {
     frame.loopJobs = outer;
     if (scope != null) {
       if (broken) {
-        scope.tag().stop(frame.interpreter.values().voidObject);
+        scope.tag().stop(frame.job.scheduler(), frame.interpreter.values().voidObject);
       }
       scope.end();
     }

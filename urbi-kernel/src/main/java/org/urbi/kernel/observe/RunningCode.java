@@ -67,7 +67,7 @@ public final class RunningCode {
   /** Ends it, and all that it has begun. */
   public void stop() {
     if (tag.state().isUsed()) {
-      tag.state().stop(interpreter.values().voidObject);
+      tag.state().stop(interpreter.scheduler(), interpreter.values().voidObject);
     } else {
       job.terminate();
     }

@@ -109,10 +109,10 @@ public final class Steering {
       return refusal(by.role(), owner);
     }
     switch (action) {
-      case STOP -> tag.stop(nothing);
+      case STOP -> tag.stop(scheduler, nothing);
       case FREEZE -> tag.freeze();
       case UNFREEZE -> tag.unfreeze();
-      case BLOCK -> tag.block(nothing);
+      case BLOCK -> tag.block(scheduler, nothing);
       case UNBLOCK -> tag.unblock();
     }
     if (tag.isFrozen() || tag.isBlocked()) {

@@ -53,7 +53,7 @@ public final class ConditionalTag {
               .timers()
               .add(
                   scheduler.now() + Durations.nanoseconds(number.value()),
-                  () -> tag.state().stop(nothing));
+                  () -> tag.state().stop(scheduler, nothing));
       try {
         return valueless(frame, Tagged.run(frame, tag, body));
       } finally {

@@ -389,12 +389,12 @@ class JobLifeTest {
     TagState tag = new TagState(null);
     loop.start(self -> {
       TagScope scope = self.enter(tag);
-      tag.stop(null);
+      tag.stop(loop.scheduler, null);
       self.leave(scope);
       self.checkInjected();
       TagScope around = self.enter(tag);
       TagScope within = self.enter(new TagState(null));
-      tag.stop(null);
+      tag.stop(loop.scheduler, null);
       self.leave(within);
       assertThrows(TagStop.class, self::checkInjected);
       self.leave(around);

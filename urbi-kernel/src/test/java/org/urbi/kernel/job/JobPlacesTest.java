@@ -37,7 +37,7 @@ class JobPlacesTest {
       assertGone(job);
     }
     assertEquals(List.of(), scheduler.jobs());
-    assertEquals(List.of(), scheduler.rootScope().allJobs());
+    assertEquals(List.of(), Loop.jobsUnder(scheduler.rootScope()));
     assertTrue(tag.isIdle());
   }
 
@@ -58,7 +58,7 @@ class JobPlacesTest {
       throw TagStop.WHOLE_JOB;
     });
     assertEquals(all, scheduler.jobs());
-    assertEquals(all, scope.allJobs());
+    assertEquals(all, Loop.jobsUnder(scope));
     runAll();
   }
 
@@ -93,8 +93,8 @@ class JobPlacesTest {
       });
     }
     loop.start(other -> {
-      tag.stop(null);
-      tag.stop(null);
+      tag.stop(loop.scheduler, null);
+      tag.stop(loop.scheduler, null);
     });
     runAll();
   }
@@ -126,7 +126,7 @@ class JobPlacesTest {
       other.yieldNow();
       assertGone(late);
       assertEquals(4, scheduler.jobs().size() - 1);
-      tag.stop(null);
+      tag.stop(loop.scheduler, null);
       other.yieldNow();
       all.forEach(JobPlacesTest::assertGone);
       assertGone(stopped);
@@ -144,7 +144,7 @@ class JobPlacesTest {
     tag.freeze();
     loop.start(other -> {
       other.sleepUntil(2 * SECOND);
-      assertEquals(3, scope.allJobs().size());
+      assertEquals(3, Loop.jobsUnder(scope).size());
       tag.unfreeze();
       other.yieldNow();
       other.yieldNow();
@@ -186,9 +186,9 @@ class JobPlacesTest {
     }
     loop.start(other -> {
       other.sleepUntil(SECOND);
-      assertEquals(15, scope.allJobs().size());
+      assertEquals(15, Loop.jobsUnder(scope).size());
       assertEquals(16, scheduler.jobs().size());
-      tag.stop(null);
+      tag.stop(loop.scheduler, null);
     });
     runAll();
     assertTrue(inner.isIdle());
@@ -230,14 +230,14 @@ class JobPlacesTest {
         under(self -> {
           self.yieldNow();
           TagScope inner = self.enter(new TagState());
-          assertEquals(List.of(self), inner.allJobs());
-          assertEquals(List.of(all.get(1), self), scope.allJobs());
+          assertEquals(List.of(self), Loop.jobsUnder(inner));
+          assertEquals(List.of(all.get(1), self), Loop.jobsUnder(scope));
           self.leave(inner);
-          assertEquals(List.of(), inner.allJobs());
-          assertEquals(List.of(all.get(1), self), scope.allJobs());
+          assertEquals(List.of(), Loop.jobsUnder(inner));
+          assertEquals(List.of(all.get(1), self), Loop.jobsUnder(scope));
         });
     Job second = under(self -> self.sleepUntil(SECOND));
-    assertEquals(List.of(first, second), scope.allJobs());
+    assertEquals(List.of(first, second), Loop.jobsUnder(scope));
     runAll();
   }
 

@@ -129,6 +129,13 @@ final class Loop {
     return new Job(scheduler, job -> {}, "job", lobby, scheduler.rootScope(), null, 0);
   }
 
+  /** Every job under a scope, in the order in which they came. */
+  static List<Job> jobsUnder(TagScope scope) {
+    List<Job> jobs = new ArrayList<>();
+    scope.collect(jobs);
+    return jobs;
+  }
+
   /** Runs until nothing is left; returns what the jobs have said. */
   List<String> run() {
     try {

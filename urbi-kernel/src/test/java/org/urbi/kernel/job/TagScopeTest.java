@@ -51,11 +51,11 @@ class TagScopeTest {
   void aJobIsUnderItsScopeUntilItEnds() {
     assertTrue(tag.isIdle());
     Job job = jobUnder(inner);
-    assertEquals(List.of(job), root.allJobs());
+    assertEquals(List.of(job), Loop.jobsUnder(root));
     assertFalse(tag.isIdle());
     assertFalse(other.isIdle());
     inner.remove(job);
-    assertEquals(List.of(), root.allJobs());
+    assertEquals(List.of(), Loop.jobsUnder(root));
     assertTrue(tag.isIdle());
   }
 
@@ -72,7 +72,7 @@ class TagScopeTest {
     inner.remove(handler);
     assertFalse(other.scopes.contains(inner));
     assertFalse(tag.scopes.contains(outer));
-    assertEquals(List.of(), root.allJobs());
+    assertEquals(List.of(), Loop.jobsUnder(root));
   }
 
   @Test
@@ -91,10 +91,10 @@ class TagScopeTest {
   void aScopeThatIsOverLeavesTheTree() {
     inner.close();
     Job late = jobUnder(inner);
-    assertEquals(List.of(), outer.allJobs());
+    assertEquals(List.of(), Loop.jobsUnder(outer));
     outer.close();
     outer.add(late);
-    assertEquals(List.of(), root.allJobs());
+    assertEquals(List.of(), Loop.jobsUnder(root));
   }
 
   @Test
@@ -117,11 +117,11 @@ class TagScopeTest {
   @Test
   void ofBlockedScopesTheOuterOneCounts() {
     assertNull(inner.blockedScope());
-    other.block(value);
+    other.block(loop.scheduler, value);
     assertTrue(other.isBlocked());
     assertSame(value, other.blockedValue());
     assertSame(inner, inner.blockedScope());
-    tag.block(object);
+    tag.block(loop.scheduler, object);
     assertSame(outer, inner.blockedScope());
     assertNull(root.blockedScope());
     tag.unblock();
@@ -136,9 +136,9 @@ class TagScopeTest {
     outer.add(handler("a"));
     inner.add(handler("b"));
     assertEquals(2, root.allAttachments().size());
-    other.stop(value);
+    other.stop(loop.scheduler, value);
     assertEquals(List.of("b inner"), told);
-    tag.stop(value);
+    tag.stop(loop.scheduler, value);
     assertEquals(List.of("b inner", "a outer", "b outer"), told);
     told.clear();
     tag.dismiss();
@@ -148,7 +148,7 @@ class TagScopeTest {
   @Test
   void aBlockedTagIsStopped() {
     outer.add(handler("a"));
-    tag.block(value);
+    tag.block(loop.scheduler, value);
     assertEquals(List.of("a outer"), told);
   }
 
@@ -216,7 +216,7 @@ class TagScopeTest {
   void whatIsStoppedReturnsTheValue() {
     loop.start(job -> {
       TagScope scope = job.enter(tag);
-      loop.start(by -> tag.stop(value));
+      loop.start(by -> tag.stop(loop.scheduler, value));
       try {
         job.sleepUntil(Loop.SECOND);
       } catch (TagStop stop) {

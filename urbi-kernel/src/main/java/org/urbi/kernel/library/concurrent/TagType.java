@@ -62,7 +62,8 @@ public final class TagType {
       return ((UrbiLobby) frame.job().lobby()).connectionTag();
     }
     UrbiTag tag = (UrbiTag) frame.interpreter().prototypes().tag.cloned();
-    end.add(() -> tag.state().stop(frame.interpreter().values().voidObject));
+    end.add(
+        () -> tag.state().stop(frame.job().scheduler(), frame.interpreter().values().voidObject));
     return tag;
   }
 
@@ -70,7 +71,7 @@ public final class TagType {
       doc = "Ends the code under the tag, which returns that value.",
       needs = Permission.CHANGE)
   static void stop(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
-    self.state().stop(result(frame, result));
+    self.state().stop(frame.job().scheduler(), result(frame, result));
     frame.job().checkInjected();
   }
 
@@ -78,7 +79,7 @@ public final class TagType {
       doc = "Ends the code under the tag, and lets none begin; it returns that value.",
       needs = Permission.CHANGE)
   static void block(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
-    self.state().block(result(frame, result));
+    self.state().block(frame.job().scheduler(), result(frame, result));
     frame.job().checkInjected();
   }
 

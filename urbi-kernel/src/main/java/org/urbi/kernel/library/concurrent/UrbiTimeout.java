@@ -53,7 +53,7 @@ final class UrbiTimeout extends UrbiTag {
                 () -> {
                   timer = null;
                   timedOut = true;
-                  state().stop(nothing);
+                  state().stop(scheduler, nothing);
                 });
   }
 

@@ -150,7 +150,10 @@ public final class LobbyType {
     if (lobby.hasShell()) {
       lobby.shell().close();
     } else {
-      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+      lobby
+          .connectionTag()
+          .state()
+          .stop(frame.job().scheduler(), frame.interpreter().values().voidObject);
     }
     frame.job().checkInjected();
   }

@@ -136,7 +136,7 @@ final class SystemServer {
   void stopall(Frame frame, UrbiObject self) {
     Job here = frame.job();
     for (UrbiLobby lobby : lobbies.all()) {
-      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+      lobby.connectionTag().state().stop(here.scheduler(), frame.interpreter().values().voidObject);
     }
     here.checkInjected();
   }

@@ -1,0 +1,108 @@
+package org.urbi.kernel.job;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * The stop of a tag, on its way to all that is under it: first what waits there without a job, then
+ * the jobs, in the order in which they came.
+ */
+final class StopOfTag extends Stop {
+  private final TagState tag;
+  private final UrbiObject value;
+  private final boolean dismissing;
+  private final long lastJob;
+  private final List<TagScope> scopes;
+  private final Iterator<TagScope> left;
+  private @Nullable ScopeWalk<TagScope.Attachment> handlers;
+  private @Nullable ScopeWalk<Job> jobs;
+
+  /** The outermost execution of tagged code whose turn it is. */
+  private @Nullable TagScope scope;
+
+  private @Nullable TagStop unwinding;
+
+  /**
+   * @param value what the code returns that is stopped
+   * @param dismissing whether handlers end without their {@code onleave} clauses
+   * @param lastJob what jobs with greater numbers have begun goes on
+   */
+  StopOfTag(TagState tag, UrbiObject value, boolean dismissing, long lastJob) {
+    this.tag = tag;
+    this.value = value;
+    this.dismissing = dismissing;
+    this.lastJob = lastJob;
+    this.scopes = new ArrayList<>(tag.scopes);
+    scopes.removeIf(scope -> !scope.isOf(lastJob));
+    this.left = scopes.iterator();
+  }
+
+  /** Until the end of the pieces handlers under the tag as it is now do not react. */
+  @Override
+  void beginPieces(int given) {
+    super.beginPieces(given);
+    scopes.forEach(TagScope::beginStop);
+  }
+
+  @Override
+  void endPieces() {
+    scopes.forEach(TagScope::endStop);
+  }
+
+  @Override
+  boolean step() {
+    if (handlers != null) {
+      if (!handlers.step(this::end)) {
+        handlers = null;
+      }
+    } else if (jobs != null) {
+      if (!jobs.step(this::end)) {
+        jobs = null;
+      }
+    } else if (left.hasNext()) {
+      enter(left.next());
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /** What is under the same tag twice belongs to the outer one. */
+  private void enter(TagScope next) {
+    if (outermost(next) == next) {
+      scope = next;
+      handlers = new ScopeWalk<>(next, TagScope::ownAttachments);
+      jobs = new ScopeWalk<>(next, TagScope::ownJobs);
+    }
+  }
+
+  private void end(TagScope.Attachment handler) {
+    handler.stopped(dismissing ? null : scope);
+  }
+
+  @Override
+  void reach(Job job) {
+    TagScope stopped = outermost(job.scope());
+    if (stopped != null) {
+      TagStop last = unwinding;
+      if (last == null || last.scope() != stopped) {
+        last = new TagStop(stopped, value);
+        unwinding = last;
+      }
+      job.inject(last);
+    }
+  }
+
+  private @Nullable TagScope outermost(TagScope inner) {
+    TagScope found = null;
+    for (TagScope each = inner; each != null; each = each.around()) {
+      if (each.tag() == tag && each.isOf(lastJob)) {
+        found = each;
+      }
+    }
+    return found;
+  }
+}
