@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.ControlFlowException;
@@ -72,14 +73,35 @@ final class NativeThread {
     @Nullable Throwable ended;
   }
 
+  /** Makes the thread; a test has it fail. */
+  interface Maker {
+    /**
+     * A thread that is not started yet.
+     *
+     * @param failed is told what has ended it
+     */
+    Thread make(Runnable body, Consumer<Throwable> failed);
+  }
+
   private final PluggedContext context;
+  private final Maker maker;
   private final BlockingQueue<Order> orders = new LinkedBlockingQueue<>();
   private final BlockingQueue<Step> steps = new LinkedBlockingQueue<>();
   private final Deque<Call> calls = new ArrayDeque<>();
   private volatile @Nullable Thread thread;
 
+  /** What has ended the thread, and with it the calls that have not returned; null if it lives. */
+  private volatile @Nullable Throwable defect;
+
   NativeThread(PluggedContext context) {
+    this(
+        context,
+        (body, failed) -> FailureLog.THREADS.platform("urbi-component", STACK_BYTES, body, failed));
+  }
+
+  NativeThread(PluggedContext context, Maker maker) {
     this.context = context;
+    this.maker = maker;
   }
 
   /** Whether the calling code runs on this thread. */
@@ -92,6 +114,13 @@ final class NativeThread {
   /** Executes code on this thread, for which the kernel thread waits unless the code yields. */
   @SuppressWarnings("unchecked") // the outcome is that of the code
   <T> T execute(Supplier<T> code) {
+    if (calls.isEmpty() && defect != null) {
+      forgetEnded();
+    }
+    Throwable ended = defect;
+    if (ended != null) {
+      return (T) requireNonNull(result(new Handed(null, ended)), "it throws");
+    }
     if (thread == null) {
       start();
     }
@@ -102,15 +131,24 @@ final class NativeThread {
   }
 
   private void start() {
-    Thread made =
-        FailureLog.THREADS.platform("urbi-component", STACK_BYTES, this::work, this::failed);
-    thread = made;
+    Thread made = maker.make(this::work, this::failed);
     made.start();
+    // Only now: if there can be no more threads, the next call tries again.
+    thread = made;
   }
 
-  /** The kernel thread would wait for the call on top for ever. */
-  private void failed(Throwable defect) {
-    steps.add(new Returned(new Handed(null, defect)));
+  /** The kernel thread would wait for the call on top for ever; on the thread that ends. */
+  private void failed(Throwable what) {
+    defect = what;
+    steps.add(new Returned(new Handed(null, what)));
+  }
+
+  /** The next call has a thread of its own. */
+  private void forgetEnded() {
+    thread = null;
+    orders.clear();
+    steps.clear();
+    defect = null;
   }
 
   private static @Nullable Object result(Handed outcome) {
@@ -129,13 +167,24 @@ final class NativeThread {
     while (true) {
       switch (uninterruptibly(steps)) {
         case Returned step -> {
-          calls.pop();
-          passTurn();
-          return step.outcome();
+          return returned(step.outcome());
         }
-        case Request step -> orders.add(new Answer(perform(call, step.task())));
+        case Request step -> {
+          Handed answer = perform(call, step.task());
+          Throwable ended = defect;
+          if (ended != null) {
+            return returned(new Handed(null, ended));
+          }
+          orders.add(new Answer(answer));
+        }
       }
     }
+  }
+
+  private Handed returned(Handed outcome) {
+    calls.pop();
+    passTurn();
+    return outcome;
   }
 
   /** Executes a request, which may let others run, and waits until its call is on top again. */
@@ -180,8 +229,13 @@ final class NativeThread {
       return;
     }
     if (top.ended != null) {
-      orders.add(new Answer(new Handed(null, top.ended)));
-      serve(top);
+      Handed answer = new Handed(null, top.ended);
+      if (defect == null) {
+        orders.add(new Answer(answer));
+        serve(top);
+      } else {
+        returned(answer);
+      }
     } else if (top.waiting != null) {
       top.waiting.wake();
     }

@@ -93,7 +93,10 @@ final class IsolatedProcess implements ModuleProcess {
   private void attend(Process running, ModuleNetwork.Entrance opened) {
     Thread reader =
         FailureLog.THREADS.platform(
-            "urbi-module-output", () -> output.read(running.getInputStream()));
+            "urbi-module-output",
+            () -> output.read(running.getInputStream()),
+            // It would wait for ever to write what nobody reads.
+            defect -> kill(FailureLog.text(defect)));
     Thread end =
         FailureLog.THREADS.platform(
             "urbi-module-end", () -> awaitEnd(running, opened, reader), this::failed);

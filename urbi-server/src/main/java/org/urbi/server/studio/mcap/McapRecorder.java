@@ -88,7 +88,14 @@ public final class McapRecorder implements AutoCloseable {
     topics.put(LOG, Topic.LOG);
     connection = connect.apply(new Observer());
     connection.feed(new Feed(), true, watched);
-    writer.start();
+    try {
+      writer.start();
+    } catch (OutOfMemoryError e) {
+      // Nobody would take what the kernel tells.
+      connection.close();
+      file.close();
+      throw e;
+    }
   }
 
   /** The file to which it records. */
