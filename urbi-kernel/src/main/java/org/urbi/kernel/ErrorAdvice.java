@@ -66,8 +66,7 @@ final class ErrorAdvice {
   private static final Pattern CATCH = Pattern.compile("\\bcatch\\s*\\(\\s*$");
 
   /** {@code load(file.u)}. */
-  private static final Pattern LOAD =
-      Pattern.compile("\\b(load\\w*|require(File)?)\\s*\\(\\s*$");
+  private static final Pattern LOAD = Pattern.compile("\\b(load\\w*|require(File)?)\\s*\\(\\s*$");
 
   private static final Pattern MADE = Pattern.compile("\\b(\\w+)\\.new\\b");
 

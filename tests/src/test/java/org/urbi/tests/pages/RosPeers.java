@@ -1,5 +1,7 @@
 package org.urbi.tests.pages;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.ServerSocket;
@@ -10,8 +12,6 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.urbi.tests.TestTimeout;
 
@@ -101,17 +101,10 @@ final class RosPeers implements AutoCloseable {
 
   private static void await(String wanted, Process process) throws Exception {
     BufferedReader reader = process.inputReader();
-    CompletableFuture<String> said =
-        CompletableFuture.supplyAsync(() ->
-            reader
-                .lines()
-                .takeWhile(line -> !line.equals(wanted))
-                .collect(Collectors.joining("\n")));
-    try {
-      said.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
-    } catch (TimeoutException e) {
-      throw new AssertionError("a node of rospy has not begun", e);
-    }
+    CompletableFuture<Boolean> said =
+        CompletableFuture.supplyAsync(() -> reader.lines().anyMatch(wanted::equals));
+    assertTrue(
+        said.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS), "a node of rospy has begun");
   }
 
   private String master() {
@@ -135,5 +128,6 @@ final class RosPeers implements AutoCloseable {
   @Override
   public void close() {
     processes.forEach(Process::destroyForcibly);
+    processes.forEach(process -> process.onExit().join());
   }
 }

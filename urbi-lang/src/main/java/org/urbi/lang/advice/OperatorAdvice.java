@@ -38,7 +38,6 @@ final class OperatorAdvice {
    */
   static @Nullable Advice operator(Surroundings around) {
     int at = around.at();
-    OpenBracket open = around.innermost();
     SyntaxHint hint = null;
     if (pair(around, at - 1, UrbiscriptLexer.COLON, UrbiscriptLexer.ASSIGN)
         || pair(around, at, UrbiscriptLexer.COLON, UrbiscriptLexer.ASSIGN)) {
@@ -54,6 +53,7 @@ final class OperatorAdvice {
     } else if (around.is(at, UrbiscriptLexer.QUESTION) && chooses(around, at)) {
       hint = SyntaxHint.NO_CHOICE;
     } else if (around.is(at, UrbiscriptLexer.COLON)) {
+      OpenBracket open = around.innermost();
       if (open != null && open.mark() == '[') {
         hint = isIndex(around, open.token()) ? SyntaxHint.SLICE : SyntaxHint.DICTIONARY;
       } else if (around.is(at - 1, UrbiscriptLexer.RPAREN, UrbiscriptLexer.ELSE)) {
