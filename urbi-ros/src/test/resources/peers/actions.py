@@ -1,6 +1,7 @@
 # A node of ROS 2 that has an action, and uses those of others. Commands come by lines, answers go by lines.
 #   serve NAME MODE: pursues goals; refuses those below zero. MODE: count, hang, stubborn (is not cancelled)
-#   goal NAME ORDER, cancel NAME ORDER (after the first feedback), late NAME ORDER (asks when it has ended),
+#   goal NAME ORDER [COUNT] (waits for so many feedbacks: rclpy may tell of the result first),
+#   cancel NAME ORDER (after the first feedback), late NAME ORDER (asks when it has ended),
 #   vanish NAME ORDER (sends a goal, and dies when it is accepted)
 import os
 import sys
@@ -81,13 +82,15 @@ def sent(name, order, feedback=None):
     return client, handle
 
 
-def goal(name, order):
+def goal(name, order, count=0):
     feedbacks = []
     _, handle = sent(name, order, lambda m: feedbacks.append(list(m.feedback.sequence)))
     if not handle.accepted:
         say("refused")
         return
     answer = wait(handle.get_result_async())
+    while len(feedbacks) < int(count):
+        time.sleep(0.005)
     say(answer.status, list(answer.result.sequence), *feedbacks[-1:])
 
 

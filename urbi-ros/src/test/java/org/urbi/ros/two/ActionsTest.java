@@ -193,7 +193,7 @@ class ActionsTest {
       Goals goals = new Goals();
       ActionServer server = node.actions().serve("fibonacci", fibonacci(node), goals);
       assertEquals("/fibonacci", server.action());
-      peer.say("goal /fibonacci 3");
+      peer.say("goal /fibonacci 3 1");
       ActionServer.Goal three = Awaited.next(goals.accepted);
       assertEquals(3, three.request().get("order").doubleValue());
       three.feedback(sequence(0, 1));
