@@ -106,6 +106,8 @@ class AcceptLoopTest {
     for (int i = 0; i < 4; i++) {
       Awaited.next(events, i);
     }
+    // What has ended a thread is logged after it has left.
+    Awaited.until("both are logged", () -> logged.size() == 2);
     assertEquals(
         List.of(
             "a connection is refused: Too many open files",
