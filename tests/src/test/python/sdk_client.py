@@ -399,9 +399,10 @@ class Process(Connection):
 
     def write(self, name, value):
         """A variable is set."""
-        self.values[name] = value
         owner, slot = name.rsplit(".", 1)
         with self.lock:
+            # What is sent last is what is had then, whichever thread comes first.
+            self.values[name] = value
             if self.binary:
                 self.raw(b"\x01" + short(name) + as_bytes(value) + struct.pack(">II", 5, 7))
             else:
