@@ -1,5 +1,6 @@
 package org.urbi.kernel.job;
 
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -13,6 +14,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.journal.Journal;
@@ -53,18 +55,12 @@ class RunQueueTest {
 
   /** So many jobs of a lobby: a1, a2… */
   private void addMany(String lobby, int count) {
-    for (int i = 1; i <= count; i++) {
-      add(lobby + i);
-    }
+    add(names(lobby, 1, count).split(" "));
   }
 
   /** So many jobs of a lobby, with these numbers, are what a round runs. */
   private static String names(String lobby, int first, int last) {
-    StringBuilder names = new StringBuilder();
-    for (int i = first; i <= last; i++) {
-      names.append(i == first ? "" : " ").append(lobby).append(i);
-    }
-    return names.toString();
+    return IntStream.rangeClosed(first, last).mapToObj(i -> lobby + i).collect(joining(" "));
   }
 
   /** Who has a turn in the next round, if each takes so long. */
