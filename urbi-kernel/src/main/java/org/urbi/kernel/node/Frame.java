@@ -75,6 +75,9 @@ public final class Frame implements Place {
   /** Whether unevaluated arguments may read and assign the variables at any time. */
   private boolean exposed;
 
+  /** Whether plain variables of the activation may have been shared. */
+  private boolean sharing;
+
   private Frame(
       Interpreter interpreter,
       Job job,
@@ -249,12 +252,18 @@ public final class Frame implements Place {
    */
   public void shareLocals() {
     exposeLocals();
+    activation.sharing = true;
     for (int i = 0; i < locals.length; i++) {
       @Nullable UrbiObject value = locals[i];
       if (value != null && !(value instanceof SharedLocal)) {
         locals[i] = new SharedLocal(value);
       }
     }
+  }
+
+  /** Whether there may be a {@link SharedLocal} among the plain variables. */
+  boolean isSharing() {
+    return activation.sharing;
   }
 
   /** The same activation with the same variables, for code that another job evaluates. */

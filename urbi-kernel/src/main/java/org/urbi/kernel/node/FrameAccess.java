@@ -36,17 +36,37 @@ abstract class FrameAccess extends Node {
     return value == null ? nothing : value;
   }
 
+  // Loops have much of what follows: the Java machine puts methods of 35 bytes of code at most into
+  // their callers there, so what is rare is on its own.
+
   /** The value of a variable in the frame. */
   protected static UrbiObject read(Frame frame, int index) {
+    return frame.isSharing() ? readShared(frame, index) : given(locals(frame)[index], frame);
+  }
+
+  private static UrbiObject readShared(Frame frame, int index) {
     return local(locals(frame), index, frame.interpreter.values().voidObject);
+  }
+
+  private static UrbiObject given(@Nullable UrbiObject value, Frame frame) {
+    return value == null ? frame.interpreter.values().voidObject : value;
   }
 
   /** Writes a pair to a variable in the frame; returns the object, which it has from now on. */
   protected static UrbiObject write(
       double number, @Nullable UrbiObject object, Frame frame, int index) {
     UrbiObject value = object(number, object, frame.interpreter.values());
-    SharedLocal.store(locals(frame), index, value);
+    set(frame, index, value);
     return value;
+  }
+
+  private static void set(Frame frame, int index, UrbiObject value) {
+    UrbiObject[] locals = locals(frame);
+    if (frame.isSharing()) {
+      SharedLocal.store(locals, index, value);
+    } else {
+      locals[index] = value;
+    }
   }
 
   /** Likewise for a variable that begins here. */
