@@ -3,6 +3,7 @@ package org.urbi.kernel;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** A run that is had again from its recording, without its clients. */
@@ -18,6 +19,23 @@ public final class ReplayedRun {
       };
 
   private ReplayedRun() {}
+
+  /** What a kernel in simulated time shows, whose run is recorded. */
+  public static String recorded(Path recording, Consumer<Kernel> program) {
+    StringBuffer shown = new StringBuffer();
+    try (Kernel kernel =
+        Kernel.builder().virtualTime(true).output(shown::append).record(recording).start()) {
+      program.accept(kernel);
+    }
+    return shown.toString();
+  }
+
+  /** What the replay shows, which must end, and do what was recorded. */
+  public static String replayed(Path recording) {
+    StringBuffer shown = new StringBuffer();
+    assertNull(difference(Kernel.builder().output(shown::append), recording));
+    return shown.toString();
+  }
 
   /** The replay must end, and do what was recorded. */
   public static void check(Path recording) {

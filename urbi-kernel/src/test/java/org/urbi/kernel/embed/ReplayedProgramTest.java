@@ -2,7 +2,6 @@ package org.urbi.kernel.embed;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -24,31 +23,10 @@ import org.urbi.kernel.ReplayedRun;
 class ReplayedProgramTest {
   @TempDir Path folder;
 
-  /** What the program was shown. */
-  private String record(Consumer<Kernel> program) {
-    StringBuffer shown = new StringBuffer();
-    try (Kernel kernel =
-        Kernel.builder()
-            .virtualTime(true)
-            .output(shown::append)
-            .record(folder.resolve("run"))
-            .start()) {
-      program.accept(kernel);
-    }
-    return shown.toString();
-  }
-
-  private String replay(Consumer<String> difference) {
-    StringBuffer shown = new StringBuffer();
-    difference.accept(
-        ReplayedRun.difference(Kernel.builder().output(shown::append), folder.resolve("run")));
-    return shown.toString();
-  }
-
   private void check(Consumer<Kernel> program, String expected) {
-    String shown = record(program);
+    String shown = ReplayedRun.recorded(folder.resolve("run"), program);
     assertTrue(shown.contains(expected), shown);
-    assertEquals(shown, replay(difference -> assertNull(difference)));
+    assertEquals(shown, ReplayedRun.replayed(folder.resolve("run")));
   }
 
   @Test
@@ -143,16 +121,18 @@ class ReplayedProgramTest {
   /** It may do anything, and there is nobody who could do it. */
   @Test
   void aReplayEndsAtAFunctionOfTheProgram() throws IOException {
-    record(kernel -> {
-      kernel.eval("echo(1)");
-      kernel.define("two", arguments -> 2);
-      kernel.eval("echo(two)");
-    });
-    String shown =
-        replay(difference ->
-            assertTrue(
-                difference.contains("a replay cannot do FunctionDefined[number=2, name=two]"),
-                difference));
-    assertTrue(shown.endsWith("*** 1\n"), shown);
+    ReplayedRun.recorded(
+        folder.resolve("run"),
+        kernel -> {
+          kernel.eval("echo(1)");
+          kernel.define("two", arguments -> 2);
+          kernel.eval("echo(two)");
+        });
+    StringBuffer shown = new StringBuffer();
+    String difference =
+        ReplayedRun.difference(Kernel.builder().output(shown::append), folder.resolve("run"));
+    assertTrue(
+        difference.contains("a replay cannot do FunctionDefined[number=2, name=two]"), difference);
+    assertTrue(shown.toString().endsWith("*** 1\n"), shown.toString());
   }
 }

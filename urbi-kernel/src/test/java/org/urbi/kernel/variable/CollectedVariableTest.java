@@ -1,7 +1,6 @@
 package org.urbi.kernel.variable;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -72,27 +71,15 @@ class CollectedVariableTest {
   @TempDir Path folder;
 
   private String recorded(String code) {
-    StringBuffer shown = new StringBuffer();
-    try (Kernel kernel =
-        Kernel.builder()
-            .virtualTime(true)
-            .output(shown::append)
-            .record(folder.resolve("run"))
-            .start()) {
-      kernel.start(Leaf.class);
-      kernel.start(Watcher.class);
-      for (String statement : code.split("\n")) {
-        kernel.eval(statement);
-      }
-    }
-    return shown.toString();
-  }
-
-  private String replayed() {
-    StringBuffer shown = new StringBuffer();
-    assertNull(
-        ReplayedRun.difference(Kernel.builder().output(shown::append), folder.resolve("run")));
-    return shown.toString();
+    return ReplayedRun.recorded(
+        folder.resolve("run"),
+        kernel -> {
+          kernel.start(Leaf.class);
+          kernel.start(Watcher.class);
+          for (String statement : code.split("\n")) {
+            kernel.eval(statement);
+          }
+        });
   }
 
   private void check(boolean recorded, String code, String shownThen) {
@@ -100,7 +87,7 @@ class CollectedVariableTest {
     String shown = recorded(code);
     assertTrue(!recorded || shown.contains(shownThen), shown);
     collects = !recorded;
-    assertEquals(shown, replayed());
+    assertEquals(shown, ReplayedRun.replayed(folder.resolve("run")));
   }
 
   /** Until the kernel hears that the object is gone, a look at it is one of the run. */
