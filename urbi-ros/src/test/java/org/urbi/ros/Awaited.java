@@ -11,6 +11,9 @@ public final class Awaited {
   /** Less than the limit of a test, so that it can say what it has waited for. */
   private static final int SECONDS = Integer.getInteger("test.limit", 600) / 2;
 
+  /** The same, for a socket. */
+  public static final int MILLISECONDS = (int) TimeUnit.SECONDS.toMillis(SECONDS);
+
   private Awaited() {}
 
   /** The next one of a queue. */

@@ -5,13 +5,16 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 
 /** The lines that a program prints, each of which is waited for in a limited time. */
 public final class Lines {
   /** In its place comes the end. */
   private static final String END = "(it has ended)";
 
+  private final CountDownLatch ended = new CountDownLatch(1);
   private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
   private final List<String> seen = new ArrayList<>();
 
@@ -30,6 +33,7 @@ public final class Lines {
       lines.add(String.valueOf(e.getMessage()));
     } finally {
       lines.add(END);
+      ended.countDown();
     }
   }
 
@@ -47,6 +51,11 @@ public final class Lines {
   /** Waits for a line that begins so. */
   public void await(String beginning) throws InterruptedException {
     while (!next().startsWith(beginning)) {}
+  }
+
+  /** Whether the program ends in that time. */
+  public boolean endWithin(long time, TimeUnit unit) throws InterruptedException {
+    return ended.await(time, unit);
   }
 
   /** All that are left, when the program has ended. */

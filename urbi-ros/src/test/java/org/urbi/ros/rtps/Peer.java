@@ -1,13 +1,18 @@
 package org.urbi.ros.rtps;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -21,7 +26,7 @@ public final class Peer implements AutoCloseable {
       "<CycloneDDS><Domain><General><Interfaces><NetworkInterface name=\"lo\" multicast=\"true\"/>"
           + "</Interfaces></General></Domain></CycloneDDS>";
 
-  private final Process process;
+  private final ProcessHandle process;
   private final Lines answers;
   private final Writer commands;
 
@@ -66,14 +71,25 @@ public final class Peer implements AutoCloseable {
     Path python = MADE.resolve(environment).resolve("bin/python");
     assumeTrue(
         Files.exists(python), "no peer for the test: scripts/ros-peers.sh gets " + environment);
-    ProcessBuilder builder = new ProcessBuilder(python.toString(), resource(script).toString());
-    builder.environment().putAll(settings);
-    builder.environment().put("ROS_DOMAIN_ID", Integer.toString(domain));
-    builder.environment().put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
-    builder.environment().put("CYCLONEDDS_URI", LOOPBACK);
-    process = builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
-    answers = new Lines(process.inputReader());
-    commands = process.outputWriter();
+    Map<String, String> environs = new HashMap<>(settings);
+    environs.put("ROS_DOMAIN_ID", Integer.toString(domain));
+    environs.put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
+    environs.put("CYCLONEDDS_URI", LOOPBACK);
+    // There are few of Cyclone DDS, and they begin soon.
+    if (environment.equals("cyclone")) {
+      ProcessBuilder builder = new ProcessBuilder(python.toString(), resource(script).toString());
+      builder.environment().putAll(environs);
+      Process started = builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
+      process = started.toHandle();
+      answers = new Lines(started.inputReader());
+      commands = started.outputWriter();
+    } else {
+      Nursery.Child child =
+          Nursery.of(python, resource("nursery.py")).fork(resource(script), environs);
+      process = child.process();
+      answers = new Lines(new BufferedReader(new InputStreamReader(child.output(), UTF_8)));
+      commands = new OutputStreamWriter(child.input(), UTF_8);
+    }
   }
 
   public void say(String command) throws IOException {
@@ -100,13 +116,14 @@ public final class Peer implements AutoCloseable {
 
   /** Ends it without a word. */
   public void kill() throws InterruptedException {
-    process.destroyForcibly().waitFor();
+    process.destroyForcibly();
+    answers.rest();
   }
 
   @Override
   public void close() throws Exception {
     commands.close();
     // One that is in the middle of something does not end by itself.
-    if (!process.waitFor(10, TimeUnit.SECONDS)) kill();
+    if (!answers.endWithin(10, TimeUnit.SECONDS)) kill();
   }
 }
