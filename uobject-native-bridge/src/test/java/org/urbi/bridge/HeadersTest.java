@@ -43,14 +43,25 @@ class HeadersTest {
     try (Stream<Path> all = Files.walk(CxxCompiler.HEADERS.resolve(folder))) {
       return all.filter(Files::isRegularFile)
           .map(file -> CxxCompiler.HEADERS.relativize(file).toString())
-          // Qt is the user's.
-          .filter(name -> !name.endsWith("qt_umain.hh"))
           .sorted()
           .toList();
     }
   }
 
-  /** Headers can be included in any order, without a warning. */
+  /** What the headers need of Qt, which is the user's: it need not be there for these tests. */
+  private static Path qt() throws IOException {
+    Path qt = Files.createDirectories(CxxCompiler.MADE.resolve("qt"));
+    Files.writeString(qt.resolve("QObject"), "");
+    Files.writeString(
+        qt.resolve("QApplication"),
+        "struct QApplication { QApplication(int&, char**) {} int exec() { return 0; } };\n");
+    return qt;
+  }
+
+  /**
+   * Headers can be included in any order, without a warning, and the main of Qt is a program after
+   * any.
+   */
   @ParameterizedTest
   @CsvSource({"g++, 17", "clang++, 17"})
   void anyOrder(String compiler, String version) throws IOException {
@@ -60,21 +71,22 @@ class HeadersTest {
     List<String> all = new ArrayList<>(libport);
     all.addAll(headers("serialize"));
     all.addAll(headers("urbi"));
-    syntax(compiler, version, all);
-    syntax(compiler, version, all.reversed());
-    syntax(compiler, version, libport.reversed());
+    syntax(compiler, version, all, "UMAIN();\n");
+    syntax(compiler, version, all.reversed(), "UMAIN();\n");
+    syntax(compiler, version, libport.reversed(), "");
     // What is included by what it includes, and what is rarely included by others.
     for (String header : List.of("customuvar.hxx", "ucallbacks.hh", "ustarter.hxx", "utable.hh")) {
-      syntax(compiler, version, List.of("urbi/" + header));
+      syntax(compiler, version, List.of("urbi/" + header), "");
     }
   }
 
-  private static void syntax(String compiler, String version, List<String> headers)
+  private static void syntax(String compiler, String version, List<String> headers, String program)
       throws IOException {
     StringBuilder code = new StringBuilder();
     for (String header : headers) {
       code.append("#include <").append(header).append(">\n");
     }
+    code.append(program);
     Path source = Files.writeString(CxxCompiler.MADE.resolve("header.cc"), code.toString());
     CxxCompiler.Run made =
         CxxCompiler.run(
@@ -87,6 +99,8 @@ class HeadersTest {
                 "-fsyntax-only",
                 "-I",
                 CxxCompiler.HEADERS.toString(),
+                "-I",
+                qt().toString(),
                 source.toString()));
     assertEquals(new Run(0, ""), made, code::toString);
   }
@@ -108,20 +122,6 @@ class HeadersTest {
     for (String name : names.split(" ")) {
       assertTrue(Files.exists(CxxCompiler.HEADERS.resolve("urbi").resolve(name)), name);
     }
-  }
-
-  /** Qt itself need not be there for that. */
-  @Test
-  void mainOfQt() throws IOException {
-    CxxCompiler.assumeCompiler();
-    Path qt = Files.createDirectories(CxxCompiler.MADE.resolve("qt"));
-    Files.writeString(qt.resolve("QObject"), "");
-    Files.writeString(
-        qt.resolve("QApplication"),
-        "struct QApplication { QApplication(int&, char**) {} int exec() { return 0; } };\n");
-    Path source =
-        Files.writeString(qt.resolve("main.cc"), "#include <urbi/qt_umain.hh>\nUMAIN();\n");
-    CxxCompiler.compileProgram("g++", qt.resolve("main"), source, "-fsyntax-only", "-I" + qt);
   }
 
   /** Other compilers and versions of the language understand them, without a warning. */
