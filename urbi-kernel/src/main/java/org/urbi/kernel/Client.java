@@ -16,7 +16,7 @@ public interface Client {
 
   /**
    * Whether this client is the main program. When its input ends, its lobby stays open, and the
-   * kernel ends once nothing can wake it.
+   * kernel ends once nothing can wake it. Asked when it connects.
    */
   default boolean isProgram() {
     return false;
@@ -24,7 +24,7 @@ public interface Client {
 
   /**
    * Whether it may still send input on its own initiative, so that the kernel must keep running for
-   * it.
+   * it. Asked when it connects.
    */
   default boolean isAwaited() {
     return true;

@@ -58,7 +58,9 @@ final class Connections {
                 client.remoteAddress(),
                 client.role().name(),
                 Budget.fitting(Outside.memory(), client.budget()),
-                client.errors().name()));
+                client.errors().name(),
+                client.isProgram(),
+                client.isAwaited()));
     return connection;
   }
 

@@ -179,7 +179,7 @@ public final class Kernel implements AutoCloseable {
   private void take(Message message) {
     // No pattern switch, for the reason given in KernelConnection: every script starts here.
     if (message instanceof Message.Shutdown wish) {
-      life.shutDown(wish.status());
+      life.requestShutdown(wish.status());
     } else if (message instanceof Message.ConnectionOpened opened) {
       connections.open(opened);
     } else if (message instanceof Message.RemoteOpened opened) {
@@ -191,9 +191,9 @@ public final class Kernel implements AutoCloseable {
 
   // ------------------------------------------------------------------ life
 
-  /** Ends the kernel after this tick, with that exit status; may be called from any thread. */
+  /** Ends the kernel with that exit status, soon; may be called from any thread. */
   public void requestShutdown(int exitStatus) {
-    life.requestShutdown(exitStatus);
+    life.wishShutdown(exitStatus);
   }
 
   /**

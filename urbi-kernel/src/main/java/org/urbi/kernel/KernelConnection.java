@@ -51,6 +51,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
+  private volatile boolean program;
+  private boolean awaited;
   private boolean holding;
   private boolean ended;
   private boolean finished;
@@ -288,6 +290,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       return;
     }
     kernel.inbox().register(number, this);
+    program = opened.program();
+    awaited = opened.awaited();
     Budget budget = new Budget(this::limited);
     limits = opened.budget();
     budget.setLimits(limits);
@@ -528,7 +532,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   @Override
   public boolean stays() {
-    return client.isProgram() || left;
+    return program || left;
   }
 
   /**
@@ -536,12 +540,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
    * is active for it.
    */
   boolean isAwaited() {
-    return client.isAwaited() && !(client.isProgram() && ended);
+    return awaited && !(program && ended);
   }
 
   /** The end of the program's connection, once nothing can wake the kernel. */
   void finishProgram() {
-    if (client.isProgram() && ended && lobby().shell().isDaemon()) {
+    if (program && ended && lobby().shell().isDaemon()) {
       finish();
     }
   }
@@ -579,7 +583,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     kernel.connections().remove(this);
     if (own != null && !kernel.isStopping()) {
       own.disconnected(kernel.interpreter());
-      if (!client.isProgram()) {
+      if (!program) {
         kernel.leftBehind().left(this);
       }
     }

@@ -48,18 +48,17 @@ final class KernelLifecycle implements ShutdownControl {
 
   // ------------------------------------------------------------------ its end is wanted
 
-  /** Ends the kernel after this tick; from any thread. */
-  @Override
-  public void requestShutdown(int exitStatus) {
-    if (scheduler.isKernelThread()) {
-      shutDown(exitStatus);
-    } else {
-      scheduler.inbox().post(new Message.Shutdown(exitStatus));
-    }
+  /**
+   * Somebody outside wants its end; from any thread. Clients call that on the kernel thread, too: a
+   * replay has them not, so it must hear of it.
+   */
+  void wishShutdown(int exitStatus) {
+    scheduler.inbox().post(new Message.Shutdown(exitStatus));
   }
 
   /** Ends the kernel after this tick; on the kernel thread. */
-  void shutDown(int exitStatus) {
+  @Override
+  public void requestShutdown(int exitStatus) {
     if (!stopping) {
       stopping = true;
       status = exitStatus;

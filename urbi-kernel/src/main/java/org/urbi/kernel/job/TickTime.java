@@ -180,7 +180,9 @@ public final class TickTime {
 
   /** There is nothing to run. */
   void noteQuiet(Inbox inbox) {
-    if (timers.next() == Long.MAX_VALUE && !inbox.isFilled() && !pace.isReal()) {
+    if (timers.next() == Long.MAX_VALUE
+        && !pace.isReal()
+        && !journal.hasNewsAtRest(inbox.isFilled())) {
       whenQuiet.run();
     }
   }

@@ -52,6 +52,9 @@ public sealed interface Entry {
   /** The only runnable job let messages be taken, after having continued that many times. */
   record YieldedToMessages(int turns) implements Entry {}
 
+  /** Messages were waiting when nothing was left to run: the kernel was not quiet. */
+  record NewsWaited() implements Entry {}
+
   /** A job that never lets others run is ended, at that safepoint of the tick. */
   record JobInterrupted(long safepoint) implements Entry {}
 

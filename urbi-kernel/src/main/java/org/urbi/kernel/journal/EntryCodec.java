@@ -29,6 +29,7 @@ public final class EntryCodec {
     add(12, Entry.JobGreedy.class);
     add(13, Entry.MessageTakenAtOnce.class);
     add(14, Entry.ObjectMissed.class);
+    add(15, Entry.NewsWaited.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
     add(23, Message.ConsoleBytes.class);
@@ -37,7 +38,6 @@ public final class EntryCodec {
     add(26, Message.ConnectionClosed.class);
     add(27, Message.CompletionRequested.class);
     add(28, Message.ConnectionFailed.class);
-    add(29, Message.ConnectionOpened.class);
     add(30, Message.RoleGranted.class);
     add(31, Message.Evicted.class);
     add(32, Message.HungUp.class);
@@ -55,6 +55,7 @@ public final class EntryCodec {
     add(44, Message.RemoteLost.class);
     add(45, Message.RemoteReadable.class);
     add(46, Message.PollingRequested.class);
+    add(47, Message.ConnectionOpened.class);
     add(5, Entry.YieldedToMessages.class);
     add(50, Message.FeedBegun.class);
     add(51, Message.Followed.class);

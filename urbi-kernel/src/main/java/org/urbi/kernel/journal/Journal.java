@@ -80,6 +80,15 @@ public interface Journal {
     return news;
   }
 
+  /**
+   * Nothing is left to run: whether more has come already, so that the kernel is not quiet.
+   *
+   * @param news whether messages are waiting
+   */
+  default boolean hasNewsAtRest(boolean news) {
+    return news;
+  }
+
   /** Whether and why a job that never lets others run must end here. */
   default StopReason stopReason(StopReason wanted) {
     return wanted;

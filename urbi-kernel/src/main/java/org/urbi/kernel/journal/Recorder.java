@@ -70,6 +70,14 @@ public final class Recorder implements Journal {
   }
 
   @Override
+  public boolean hasNewsAtRest(boolean news) {
+    if (news) {
+      file.write(new Entry.NewsWaited());
+    }
+    return news;
+  }
+
+  @Override
   public StopReason stopReason(StopReason wanted) {
     safepoints++;
     if (wanted == StopReason.REQUESTED) {

@@ -182,6 +182,15 @@ public final class Replay implements Journal {
   }
 
   @Override
+  public boolean hasNewsAtRest(boolean news) {
+    if (next instanceof Entry.NewsWaited) {
+      advance();
+      return true;
+    }
+    return over;
+  }
+
+  @Override
   public StopReason stopReason(StopReason wanted) {
     safepoints++;
     if (next instanceof Entry.JobInterrupted stopped && stopped.safepoint() == safepoints) {

@@ -67,9 +67,18 @@ public sealed interface Message {
    * @param role the name of the role of its lobby
    * @param budget the limits of its lobby, as in options
    * @param errors the name of the style in which it is told of errors
+   * @param program whether it is the main program
+   * @param awaited whether it may send input on its own initiative
    */
   record ConnectionOpened(
-      int connection, boolean holdsTime, String address, String role, String budget, String errors)
+      int connection,
+      boolean holdsTime,
+      String address,
+      String role,
+      String budget,
+      String errors,
+      boolean program,
+      boolean awaited)
       implements Message {
     @Override
     public int to() {

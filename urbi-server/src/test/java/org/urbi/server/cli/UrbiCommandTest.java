@@ -122,6 +122,13 @@ class UrbiCommandTest {
   }
 
   @Test
+  void aRecordedRunThatEndsByItselfIsReplayedWithItsStatus() throws Exception {
+    Result run = urbi("-qF", "--record", "run", "-e", "echo(1); { sleep(1h); 1 / 0 },");
+    assertEquals(1, run.status());
+    assertEquals(run, urbi("--replay", "run"));
+  }
+
+  @Test
   void theExitStatusTellsOfErrorsThatNobodyHandled() throws Exception {
     assertEquals(1, urbi("-q", "-e", "1 +; echo(2);").status());
     assertEquals(1, urbi("-q", "-e", "{ sleep(10ms); throw 1 },").status());
