@@ -38,6 +38,21 @@ class VariableTest {
   }
 
   @Test
+  void aCommandToAnOwnedOneCountsAsWriting() {
+    ConsoleTranscript.check(
+        """
+        var o = Object.new|;
+        var o.x = 5|;
+        var v = UVar.new(o, "x")|;
+        v.owned = true|;
+        sleep(2s);
+        o.x = 6|;
+        v.timestamp == System.time;
+        [00002000] true
+        """);
+  }
+
+  @Test
   void changesAreTold() {
     ConsoleTranscript.check(
         """
