@@ -18,21 +18,32 @@ final class FrameAnswers {
   private FrameAnswers() {}
 
   /**
-   * The answer, as {@code geometry_msgs/TransformStamped}.
+   * What is asked.
    *
-   * @param time seconds, or as messages have it
-   * @param patience seconds
-   * @throws RosException if one of them is no time
+   * @param time nanoseconds; 0 for the newest one that is known
+   * @param patience milliseconds
    */
-  static CompletionStage<UDictionary> lookup(
-      FrameListener frames, String target, String source, UValue time, double patience) {
-    if (!(patience >= 0)) {
-      throw new RosException("patience: seconds expected, 0 or more, not " + patience);
+  record Question(String target, String source, long time, long patience) {
+    /**
+     * As urbiscript asks.
+     *
+     * @param time seconds, or as messages have it
+     * @param patience seconds
+     * @throws RosException if one of them is no time
+     */
+    static Question of(String target, String source, UValue time, double patience) {
+      if (!(patience >= 0)) {
+        throw new RosException("patience: seconds expected, 0 or more, not " + patience);
+      }
+      return new Question(target, source, nanoseconds(time), (long) Math.ceil(patience * 1000));
     }
-    long most = (long) Math.ceil(patience * 1000);
-    return frames
-        .lookup(target, source, nanoseconds(time), most)
-        .thenApply(found -> stamped(target, source, found));
+
+    /** The answer, as {@code geometry_msgs/TransformStamped}. */
+    CompletionStage<UDictionary> ask(FrameListener frames) {
+      return frames
+          .lookup(target, source, time, patience)
+          .thenApply(found -> stamped(target, source, found));
+    }
   }
 
   private static long nanoseconds(UValue time) {

@@ -7,15 +7,14 @@ import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.frames.FrameListener;
+import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
+import org.urbi.ros.graph.ParameterDescription;
+import org.urbi.ros.graph.ParameterServer;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.Severity;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.one.OneNode;
-import org.urbi.ros.one.OneSettings;
-import org.urbi.ros.rcl.Middleware;
-import org.urbi.ros.two.TwoSettings;
 import urbi.UDictionary;
 import urbi.UEvent;
 import urbi.UObject;
@@ -23,17 +22,15 @@ import urbi.UValue;
 import urbi.UVar;
 
 /**
- * This program's node (manual, "Ros"), of ROS 1 or ROS 2. It is made when it is needed first; until
- * then, {@code version}, {@code nodeName}, {@code masterUri}, {@code domain} and {@code
- * packagePath} may be set, which the environment gives otherwise.
+ * This program's node (manual, "Ros"), of ROS 1 or ROS 2. It is made when it is needed first, by
+ * another thread: the job that needs it waits, and no other. Until then, {@code version}, {@code
+ * nodeName}, {@code masterUri}, {@code domain} and {@code packagePath} may be set, which the
+ * environment gives otherwise.
  */
 public final class Ros extends UObject implements AutoCloseable {
   static {
     UStart(Ros.class);
   }
-
-  private static final String MASTER = "ROS_MASTER_URI";
-  private static final String DOMAIN = "ROS_DOMAIN_ID";
 
   private final UVar version = new UVar();
   private final UVar masterUri = new UVar();
@@ -48,21 +45,32 @@ public final class Ros extends UObject implements AutoCloseable {
   private final UEvent onServiceGone = new UEvent();
   private final UEvent onParam = new UEvent();
   private final Map<String, String> remappings = new HashMap<>();
+  private final NodeSettings.Maker maker;
+  private final FirstUse node = new FirstUse();
   private Dialect dialect = RosVersion.of(System.getenv());
-  private @Nullable Node node;
   private @Nullable FrameListener frames;
   private boolean watched;
 
   public Ros(String name) {
+    this(name, NodeSettings::start);
+  }
+
+  /**
+   * With a node of somebody else's.
+   *
+   * @param maker is called by a thread of its own
+   */
+  Ros(String name, NodeSettings.Maker maker) {
     super(name);
+    this.maker = maker;
     UBindVars(
         version, "version", masterUri, "masterUri", domain, "domain", packagePath, "packagePath");
     UBindVar(nodeName, "nodeName");
     nodeName.setValue("");
-    masterUri.setValue(System.getenv().getOrDefault(MASTER, "http://localhost:11311"));
-    domain.setValue(System.getenv().getOrDefault(DOMAIN, "0"));
+    masterUri.setValue(System.getenv().getOrDefault(NodeSettings.MASTER, "http://localhost:11311"));
+    domain.setValue(System.getenv().getOrDefault(NodeSettings.DOMAIN, "0"));
     version.setValue(dialect.version());
-    packagePath.setValue(System.getenv().getOrDefault(packages(dialect), ""));
+    packagePath.setValue(System.getenv().getOrDefault(NodeSettings.packages(dialect), ""));
     UNotifyChange(version, "choose");
     UBindEvent(onNode, "onNode");
     UBindEvent(onNodeGone, "onNodeGone");
@@ -101,8 +109,10 @@ public final class Ros extends UObject implements AutoCloseable {
     bind("Bridge", () -> UValue.slotName("RosBridge"));
   }
 
-  /** The one of this kernel, for its topics and services. */
-  static Node of(UObject asking) {
+  /**
+   * The one of this kernel, for its topics and services. It may have to be made, by another thread.
+   */
+  static CompletionStage<Node> of(UObject asking) {
     if (asking.getUObject("Ros") instanceof Ros ros) {
       return ros.node();
     }
@@ -116,11 +126,11 @@ public final class Ros extends UObject implements AutoCloseable {
       if (wanted == dialect) {
         return;
       }
-      if (node != null) {
+      if (node.hasBegun()) {
         throw new RosException("the version is chosen before Ros is used");
       }
       dialect = wanted;
-      packagePath.setValue(System.getenv().getOrDefault(packages(wanted), ""));
+      packagePath.setValue(System.getenv().getOrDefault(NodeSettings.packages(wanted), ""));
     } catch (RosException e) {
       told(String.valueOf(e.getMessage()));
       version.setValue(dialect.version());
@@ -134,48 +144,22 @@ public final class Ros extends UObject implements AutoCloseable {
     }
   }
 
-  private static String packages(Dialect dialect) {
-    return switch (dialect) {
-      case ROS_1 -> "ROS_PACKAGE_PATH";
-      case ROS_2 -> "AMENT_PREFIX_PATH";
-    };
+  private CompletionStage<Node> node() {
+    NodeSettings settings =
+        new NodeSettings(
+            dialect,
+            nodeName.stringValue(),
+            masterUri.stringValue(),
+            domain.stringValue(),
+            packagePath.stringValue(),
+            Map.copyOf(remappings));
+    return node.node(() -> begin(settings));
   }
 
-  private synchronized Node node() {
-    Node known = node;
-    if (known == null) {
-      known = start();
-      known.parameters().watch((name, value) -> onParam.emit(name, value));
-      node = known;
-    }
-    return known;
-  }
-
-  private Node start() {
-    Map<String, String> environment = new HashMap<>(System.getenv());
-    environment.put(MASTER, masterUri.stringValue());
-    environment.put(DOMAIN, domain.stringValue());
-    environment.put(packages(dialect), packagePath.stringValue());
-    ProcessHandle self = ProcessHandle.current();
-    long born = self.info().startInstant().map(time -> time.toEpochMilli()).orElse(0L);
-    String given = nodeName.stringValue();
-    String own = given.isEmpty() ? "urbi_" + born + self.pid() : given;
-    Map<String, String> names = Map.copyOf(remappings);
-    String uri = masterUri.stringValue();
-    return switch (dialect) {
-      case ROS_1 ->
-          OneNode.start(OneSettings.of(environment, own, names), there -> told(uri, there));
-      case ROS_2 ->
-          // Whoever sets packagePath wants other types, and no other middleware.
-          Middleware.start(System.getenv(), TwoSettings.of(environment, own, names), this::told);
-    };
-  }
-
-  private void told(String uri, boolean there) {
-    told(
-        there
-            ? "connected to the master " + uri
-            : "no master at " + uri + ", looking for it every second (start roscore)");
+  private Node begin(NodeSettings settings) {
+    Node made = maker.make(settings, this::told);
+    made.parameters().watch((name, value) -> onParam.emit(name, value));
+    return made;
   }
 
   private void told(String text) {
@@ -186,39 +170,47 @@ public final class Ros extends UObject implements AutoCloseable {
 
   /** Whether there is a master; in ROS 2, which has none, whether the node is up. */
   public CompletionStage<Boolean> checkMaster() {
-    return node().reachable();
+    return node().thenCompose(Node::reachable);
   }
 
   /** The full name of the node. */
-  public String name() {
-    return node().name();
+  public CompletionStage<String> name() {
+    return node().thenApply(Node::name);
   }
 
   /** For each node the topics that it publishes, those to which it subscribes, its services. */
   public CompletionStage<UDictionary> nodes() {
-    return node().graph().thenApply(Listings::nodes);
+    return graph().thenApply(Listings::nodes);
   }
 
   /** For each topic its type, and the nodes that publish it or subscribe to it. */
   public CompletionStage<UDictionary> topics() {
-    return node().graph().thenApply(Listings::topics);
+    return graph().thenApply(Listings::topics);
   }
 
   /** For each service the nodes that provide it. */
   public CompletionStage<UDictionary> services() {
-    return node().graph().thenApply(Listings::services);
+    return graph().thenApply(Listings::services);
   }
 
   /** For each action its type, and the nodes that provide it. */
   public CompletionStage<UDictionary> actions() {
-    return node().graph().thenApply(Listings::actions);
+    return graph().thenApply(Listings::actions);
+  }
+
+  private CompletionStage<GraphSnapshot> graph() {
+    return node().thenCompose(Node::graph);
   }
 
   /** From now on the events of the graph are emitted. */
-  public synchronized void watch() {
+  public CompletionStage<Void> watch() {
+    return node().thenAccept(this::look);
+  }
+
+  private synchronized void look(Node known) {
     if (!watched) {
       watched = true;
-      GraphChanges.tell(node(), this::changed);
+      GraphChanges.tell(known, this::changed);
     }
   }
 
@@ -233,27 +225,31 @@ public final class Ros extends UObject implements AutoCloseable {
   }
 
   /** What time it is for the node, in seconds since 1970; that of /clock with use_sim_time. */
-  public double time() {
-    return node().now() / 1e9;
+  public CompletionStage<Double> time() {
+    return node().thenApply(known -> known.now() / 1e9);
   }
 
   /** The same as messages have it. */
-  public UValue stamp() {
-    return Templates.time(node().now());
+  public CompletionStage<UValue> stamp() {
+    return node().thenApply(known -> Templates.time(known.now()));
   }
 
-  private synchronized FrameListener frameListener() {
+  private CompletionStage<FrameListener> frameListener() {
+    return node().thenApply(this::frameListener);
+  }
+
+  private synchronized FrameListener frameListener(Node there) {
     FrameListener known = frames;
     if (known == null) {
-      known = new FrameListener(node(), this::told);
+      known = new FrameListener(there, this::told);
       frames = known;
     }
     return known;
   }
 
   /** Each frame that was told of on /tf and /tf_static, and the one in which it is. */
-  public UDictionary frames() {
-    return new UDictionary(frameListener().buffer().parents());
+  public CompletionStage<UDictionary> frames() {
+    return frameListener().thenApply(there -> new UDictionary(there.buffer().parents()));
   }
 
   /**
@@ -265,7 +261,8 @@ public final class Ros extends UObject implements AutoCloseable {
    */
   public CompletionStage<UDictionary> lookup(
       String target, String source, UValue time, double patience) {
-    return FrameAnswers.lookup(frameListener(), target, source, time, patience);
+    FrameAnswers.Question question = FrameAnswers.Question.of(target, source, time, patience);
+    return frameListener().thenCompose(question::ask);
   }
 
   /**
@@ -273,38 +270,43 @@ public final class Ros extends UObject implements AutoCloseable {
    *
    * @param level debug, info, warn, error or fatal
    */
-  public void log(String level, String text) {
-    node().log(Severity.of(level), text);
+  public CompletionStage<Void> log(String level, String text) {
+    Severity severity = Severity.of(level);
+    return node().thenAccept(known -> known.log(severity, text));
   }
 
   // ------------------------------------------------------------------ names and parameters
 
   /** Has a name mean another one; before the node is used. */
   public synchronized void remap(String from, String to) {
-    if (node != null) {
+    if (node.hasBegun()) {
       throw new RosException("names are remapped before Ros is used");
     }
     remappings.put(from, to);
   }
 
+  private CompletionStage<ParameterServer> parameters() {
+    return node().thenApply(Node::parameters);
+  }
+
   /** The value of a parameter. */
   public CompletionStage<UValue> getParam(String name) {
-    return node().parameters().get(name);
+    return parameters().thenCompose(there -> there.get(name));
   }
 
   /** Sets a parameter: a number, a string, a list; in ROS 1 a Dictionary, too. */
   public CompletionStage<Void> setParam(String name, UValue value) {
-    return node().parameters().set(name, value);
+    return parameters().thenCompose(there -> there.set(name, value));
   }
 
   /** Whether there is a parameter. */
   public CompletionStage<Boolean> hasParam(String name) {
-    return node().parameters().has(name);
+    return parameters().thenCompose(there -> there.has(name));
   }
 
   /** Deletes a parameter. */
   public CompletionStage<Void> deleteParam(String name) {
-    return node().parameters().delete(name);
+    return parameters().thenCompose(there -> there.delete(name));
   }
 
   /**
@@ -313,23 +315,22 @@ public final class Ros extends UObject implements AutoCloseable {
    * @param description what {@link ParameterKeys} knows
    */
   public CompletionStage<Void> declareParam(String name, UValue value, UDictionary description) {
-    return node().parameters().declare(name, value, ParameterKeys.of(description));
+    ParameterDescription described = ParameterKeys.of(description);
+    return parameters().thenCompose(there -> there.declare(name, value, described));
   }
 
   /** The names of all parameters; in ROS 2 of those of this node. */
   public CompletionStage<List<String>> params() {
-    return node().parameters().names().thenApply(ArrayList::new);
+    return parameters().thenCompose(there -> there.names()).thenApply(ArrayList::new);
   }
 
   /** The names of all parameters of a node. */
   public CompletionStage<List<String>> paramsOf(String other) {
-    return node().parameters().namesOf(other).thenApply(ArrayList::new);
+    return parameters().thenCompose(there -> there.namesOf(other)).thenApply(ArrayList::new);
   }
 
   @Override
-  public synchronized void close() {
-    if (node != null) {
-      node.close();
-    }
+  public void close() {
+    node.close();
   }
 }

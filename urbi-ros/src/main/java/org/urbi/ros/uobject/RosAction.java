@@ -3,7 +3,6 @@ package org.urbi.ros.uobject;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.ActionClient;
-import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.Templates;
 import urbi.UDictionary;
@@ -23,7 +22,7 @@ public final class RosAction extends UObject implements AutoCloseable {
   private final UEvent onFeedback = new UEvent();
   private final UVar seconds = new UVar();
   private final Patience patience;
-  private String action = "";
+  private volatile String action = "";
   private volatile @Nullable ActionClient client;
 
   public RosAction(String name) {
@@ -36,9 +35,12 @@ public final class RosAction extends UObject implements AutoCloseable {
 
   /** Looks the action up. The job waits until it is there. */
   public CompletionStage<Void> init(String name) {
-    Node node = Ros.of(this);
-    action = node.resolve(name);
-    return node.actions().client(name, null).thenAccept(found -> client = found);
+    return Ros.of(this)
+        .thenCompose(node -> {
+          action = node.resolve(name);
+          return node.actions().client(name, null);
+        })
+        .thenAccept(found -> client = found);
   }
 
   /** What sends goals. */

@@ -33,15 +33,16 @@ public final class RosActionServer extends UObject implements AutoCloseable {
   private final Map<Integer, Asked> asked = new ConcurrentHashMap<>();
   private final Map<ActionServer.Goal, Integer> numbers = new ConcurrentHashMap<>();
   private final AtomicInteger count = new AtomicInteger();
-  private String action = "";
-  private @Nullable ActionServer server;
+  private volatile String action = "";
+  private volatile @Nullable ActionServer server;
+  private boolean closed;
 
   public RosActionServer(String name) {
     super(name);
     UBindEvent(onGoal, "onGoal");
     UBindEvent(onCancel, "onCancel");
     UBindFunctions(
-        "init",
+        "begin",
         "name",
         "resultStruct",
         "feedbackStruct",
@@ -54,8 +55,14 @@ public final class RosActionServer extends UObject implements AutoCloseable {
   }
 
   /** Offers an action. The job waits until the others can know. */
-  public CompletionStage<Void> init(String name, String type) {
-    Node node = Ros.of(this);
+  public CompletionStage<Void> begin(String name, String type) {
+    return Ros.of(this).thenCompose(node -> serve(node, name, type));
+  }
+
+  private synchronized CompletionStage<Void> serve(Node node, String name, String type) {
+    if (closed) {
+      throw new RosException(name + " is not offered any more");
+    }
     ActionType known = node.definitions().action(type);
     action = node.resolve(name);
     server = node.actions().serve(name, known, new Goals());
@@ -165,7 +172,8 @@ public final class RosActionServer extends UObject implements AutoCloseable {
 
   /** Ends the action, and the goals with it. */
   @Override
-  public void close() {
+  public synchronized void close() {
+    closed = true;
     ActionServer known = server;
     server = null;
     if (known != null) {

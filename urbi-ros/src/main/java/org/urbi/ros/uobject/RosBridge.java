@@ -3,8 +3,10 @@ package org.urbi.ros.uobject;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.bridge.BridgeServer;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import urbi.UDataType;
 import urbi.UObject;
@@ -20,7 +22,8 @@ public final class RosBridge extends UObject implements AutoCloseable {
   private final UVar host = new UVar();
   private final UVar token = new UVar();
   private final UVar origins = new UVar();
-  private @Nullable BridgeServer server;
+  private volatile @Nullable BridgeServer server;
+  private boolean wanted;
 
   public RosBridge(String name) {
     super(name);
@@ -37,10 +40,8 @@ public final class RosBridge extends UObject implements AutoCloseable {
    * @param port 0 for any that is free
    * @return the port
    */
-  public int listen(int port) {
-    if (server != null) {
-      throw new RosException("this bridge listens already, at " + server.port() + ": close it");
-    }
+  public CompletionStage<Integer> listen(int port) {
+    idle();
     if (port < 0 || port > 0xFFFF) {
       throw new RosException("port: 0 to 65535 expected, not " + port);
     }
@@ -51,34 +52,56 @@ public final class RosBridge extends UObject implements AutoCloseable {
     for (UValue each : origins.ulistValue()) {
       pages.add(each.stringValue());
     }
+    want();
+    String address = host.stringValue();
+    String secret = token.stringValue();
+    return Ros.of(this).thenApply(node -> open(node, address, port, pages, secret));
+  }
+
+  private synchronized int open(
+      Node node, String address, int port, Set<String> pages, String secret) {
+    idle();
+    if (!wanted) {
+      throw new RosException("this bridge was closed before it could listen");
+    }
     BridgeServer opened =
         BridgeServer.open(
-            Ros.of(this),
-            host.stringValue(),
-            port,
-            pages,
-            token.stringValue(),
-            text -> getUContext().report("ROS: " + text));
+            node, address, port, pages, secret, text -> getUContext().report("ROS: " + text));
     server = opened;
     return opened.port();
   }
 
+  private synchronized void want() {
+    wanted = true;
+  }
+
+  private void idle() {
+    BridgeServer present = server;
+    if (present != null) {
+      throw new RosException("this bridge listens already, at " + present.port() + ": close it");
+    }
+  }
+
   /** Where it listens; 0 if it does not. */
   public int port() {
-    return server == null ? 0 : server.port();
+    BridgeServer present = server;
+    return present == null ? 0 : present.port();
   }
 
   /** How many are connected. */
   public int clients() {
-    return server == null ? 0 : server.clients();
+    BridgeServer present = server;
+    return present == null ? 0 : present.clients();
   }
 
   /** Ends it, and lets all clients go. */
   @Override
-  public void close() {
-    if (server != null) {
-      server.close();
-      server = null;
+  public synchronized void close() {
+    wanted = false;
+    BridgeServer present = server;
+    server = null;
+    if (present != null) {
+      present.close();
     }
   }
 }

@@ -7,6 +7,7 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.FieldPath;
 import org.urbi.ros.message.MessageType;
@@ -26,14 +27,15 @@ public final class RosInput extends UObject implements MessageReceiver, AutoClos
   }
 
   private final UEvent onValue = new UEvent();
-  private @Nullable Delivery<UValue> delivery;
+  private volatile @Nullable Delivery<UValue> delivery;
   private @Nullable Subscription subscription;
+  private boolean closed;
   private volatile String trouble = "";
 
   public RosInput(String name) {
     super(name);
     UBindEvent(onValue, "onValue");
-    UBindFunction("init");
+    UBindFunction("begin");
   }
 
   /**
@@ -42,12 +44,16 @@ public final class RosInput extends UObject implements MessageReceiver, AutoClos
    * @param typeName empty for the type of those who publish already
    * @param rate times a second at most; 0 for each message
    */
-  public CompletionStage<Void> init(String topic, String field, String typeName, double rate) {
+  public CompletionStage<Void> begin(String topic, String field, String typeName, double rate) {
     FieldPath path = FieldPath.of(field);
     Pace pace = new Pace(rate, () -> MessageReceiver.soon(this));
     Delivery<UValue> fields = new Delivery<>(pace::want);
     delivery = fields;
-    Node node = Ros.of(this);
+    return Ros.of(this).thenCompose(node -> open(node, topic, typeName, path, fields));
+  }
+
+  private CompletionStage<Void> open(
+      Node node, String topic, String typeName, FieldPath path, Delivery<UValue> fields) {
     String full = node.resolve(topic);
     if (!typeName.isEmpty()) {
       MessageType type = node.definitions().message(typeName);
@@ -69,6 +75,9 @@ public final class RosInput extends UObject implements MessageReceiver, AutoClos
       FieldPath path,
       Delivery<UValue> fields) {
     Qos newest = new Qos(true, false, 1, Qos.DEFAULT.deadline(), true);
+    if (closed) {
+      throw new RosException(topic + " is not wanted any more");
+    }
     subscription =
         node.subscribe(
             topic,
@@ -119,10 +128,12 @@ public final class RosInput extends UObject implements MessageReceiver, AutoClos
   /** Ends listening. */
   @Override
   public synchronized void close() {
+    closed = true;
     Subscription present = subscription;
     subscription = null;
-    if (delivery != null) {
-      delivery.end();
+    Delivery<UValue> fields = delivery;
+    if (fields != null) {
+      fields.end();
     }
     if (present != null) {
       present.close();

@@ -28,13 +28,14 @@ public final class RosOutput extends UObject implements AutoCloseable {
 
   private @Nullable Publisher publisher;
   private @Nullable FieldPath path;
-  private @Nullable Pace pace;
+  private volatile @Nullable Pace pace;
   private @Nullable UValue value;
   private String trouble = "";
+  private boolean closed;
 
   public RosOutput(String name) {
     super(name);
-    UBindFunctions("init", "tell");
+    UBindFunctions("begin", "tell");
   }
 
   /**
@@ -42,16 +43,23 @@ public final class RosOutput extends UObject implements AutoCloseable {
    *
    * @param rate times a second at most; 0 for each value
    */
-  public synchronized CompletionStage<Void> init(
-      String topic, String typeName, String field, double rate) {
-    pace = new Pace(rate, this::send);
-    FieldPath wanted = FieldPath.of(field);
-    Node node = Ros.of(this);
+  public CompletionStage<Void> begin(String topic, String typeName, String field, double rate) {
+    Pace wanted = new Pace(rate, this::send);
+    FieldPath path = FieldPath.of(field);
+    return Ros.of(this).thenCompose(node -> open(node, topic, typeName, path, wanted));
+  }
+
+  private synchronized CompletionStage<Void> open(
+      Node node, String topic, String typeName, FieldPath wanted, Pace rate) {
+    if (closed) {
+      throw new RosException(topic + " is not wanted any more");
+    }
     MessageType type = node.definitions().message(typeName);
     wanted.check(type);
     // A list that is too short for the field is an error now, and not with each value.
     wanted.get(Templates.of(type));
     path = wanted;
+    pace = rate;
     publisher = node.advertise(topic, type, Qos.DEFAULT, new Publisher.Listener() {});
     return node.settled();
   }
@@ -61,7 +69,7 @@ public final class RosOutput extends UObject implements AutoCloseable {
     synchronized (this) {
       value = newest;
     }
-    requireNonNull(pace, "made by init").want();
+    requireNonNull(pace, "made by begin").want();
   }
 
   private synchronized void send() {
@@ -88,6 +96,7 @@ public final class RosOutput extends UObject implements AutoCloseable {
   /** Ends. */
   @Override
   public synchronized void close() {
+    closed = true;
     Publisher present = publisher;
     publisher = null;
     if (present != null) {

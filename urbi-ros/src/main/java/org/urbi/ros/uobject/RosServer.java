@@ -30,17 +30,24 @@ public final class RosServer extends UObject implements AutoCloseable {
   private final UEvent onRequest = new UEvent();
   private final Map<Integer, CompletableFuture<UDictionary>> asked = new ConcurrentHashMap<>();
   private final AtomicInteger count = new AtomicInteger();
-  private @Nullable ServiceServer server;
+  private volatile @Nullable ServiceServer server;
+  private boolean closed;
 
   public RosServer(String name) {
     super(name);
     UBindEvent(onRequest, "onRequest");
-    UBindFunctions("init", "name", "resStruct", "answer", "refuse", "close");
+    UBindFunctions("begin", "name", "resStruct", "answer", "refuse", "close");
   }
 
   /** Offers a service. The job waits until the others can know. */
-  public CompletionStage<Void> init(String name, String type) {
-    Node node = Ros.of(this);
+  public CompletionStage<Void> begin(String name, String type) {
+    return Ros.of(this).thenCompose(node -> serve(node, name, type));
+  }
+
+  private synchronized CompletionStage<Void> serve(Node node, String name, String type) {
+    if (closed) {
+      throw new RosException(name + " is not offered any more");
+    }
     ServiceType known = node.definitions().service(type);
     server = node.serve(name, known, this::ask);
     return node.settled();
@@ -94,7 +101,8 @@ public final class RosServer extends UObject implements AutoCloseable {
 
   /** Ends the service. */
   @Override
-  public void close() {
+  public synchronized void close() {
+    closed = true;
     ServiceServer known = server;
     server = null;
     if (known != null) {

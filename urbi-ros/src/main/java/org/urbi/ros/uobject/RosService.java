@@ -2,7 +2,6 @@ package org.urbi.ros.uobject;
 
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
-import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.message.Templates;
@@ -19,7 +18,7 @@ public final class RosService extends UObject implements AutoCloseable {
   private final UVar initialized = new UVar();
   private final UVar seconds = new UVar();
   private final Patience patience;
-  private String service = "";
+  private volatile String service = "";
   private volatile @Nullable ServiceClient client;
 
   public RosService(String name) {
@@ -36,9 +35,11 @@ public final class RosService extends UObject implements AutoCloseable {
    * @param keepAlive whether the connection is kept between requests
    */
   public CompletionStage<Void> init(String name, boolean keepAlive) {
-    Node node = Ros.of(this);
-    service = node.resolve(name);
-    return node.client(name, null, keepAlive)
+    return Ros.of(this)
+        .thenCompose(node -> {
+          service = node.resolve(name);
+          return node.client(name, null, keepAlive);
+        })
         .thenAccept(found -> {
           client = found;
           initialized.setValue(1);

@@ -41,7 +41,8 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   private final UVar qos = new UVar();
   private final Delivery<UDictionary> delivery = new Delivery<>(() -> MessageReceiver.soon(this));
 
-  private String topic = "";
+  private volatile @Nullable Node node;
+  private volatile String topic = "";
   private volatile @Nullable MessageType type;
   private volatile @Nullable Subscription subscription;
   private volatile @Nullable Publisher publisher;
@@ -70,9 +71,21 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   }
 
   /** Chooses the topic; may be called again as long as it is neither heard nor advertised. */
-  public void init(String name) {
+  public CompletionStage<Void> init(String name) {
     idle();
-    topic = Ros.of(this).resolve(name);
+    return Ros.of(this)
+        .thenAccept(known -> {
+          node = known;
+          topic = known.resolve(name);
+        });
+  }
+
+  private Node node() {
+    Node known = node;
+    if (known == null) {
+      throw new RosException("the topic has no name: init");
+    }
+    return known;
   }
 
   private void idle() {
@@ -109,7 +122,7 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   /** What is known of the topic; null if nothing is. */
   private CompletableFuture<GraphSnapshot.@Nullable TopicInfo> info() {
-    return Ros.of(this).graph().thenApply(graph -> graph.topics().get(topic));
+    return node().graph().thenApply(graph -> graph.topics().get(topic));
   }
 
   /** What {@code depth}, {@code latch} and {@code qos} say. */
@@ -133,19 +146,20 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   public CompletionStage<Void> subscribe() {
     idle();
     Qos wanted = delivery(true);
-    Node node = Ros.of(this);
+    Node known = node();
     CompletableFuture<Void> typed = new CompletableFuture<>();
-    return node.typeOf(topic)
+    return known
+        .typeOf(topic)
         .thenCompose(name -> {
           try {
-            type = node.definitions().message(name);
+            type = known.definitions().message(name);
             typed.complete(null);
           } catch (DefinitionException e) {
             // A publisher tells what it means by that name.
             typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
           }
           delivery.begin(wanted.depth());
-          subscription = node.subscribe(topic, null, wanted, listener(typed));
+          subscription = known.subscribe(topic, null, wanted, listener(typed));
           return typed.exceptionallyCompose(failure -> {
             unsubscribe();
             return CompletableFuture.failedFuture(
@@ -163,13 +177,13 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   public CompletionStage<Void> subscribeAs(String typeName) {
     idle();
     Qos wanted = delivery(true);
-    Node node = Ros.of(this);
-    MessageType known = node.definitions().message(typeName);
+    Node there = node();
+    MessageType known = there.definitions().message(typeName);
     delivery.begin(wanted.depth());
     type = known;
     subscription =
-        node.subscribe(topic, known, wanted, listener(CompletableFuture.completedFuture(null)));
-    return node.settled();
+        there.subscribe(topic, known, wanted, listener(CompletableFuture.completedFuture(null)));
+    return there.settled();
   }
 
   private Subscription.Listener listener(CompletableFuture<Void> typed) {
@@ -224,16 +238,14 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
    */
   public CompletionStage<Void> advertise(String typeName) {
     idle();
-    return typeName.isEmpty()
-        ? Ros.of(this).typeOf(topic).thenCompose(this::begin)
-        : begin(typeName);
+    return typeName.isEmpty() ? node().typeOf(topic).thenCompose(this::begin) : begin(typeName);
   }
 
   private CompletionStage<Void> begin(String typeName) {
-    Node node = Ros.of(this);
-    MessageType wanted = node.definitions().message(typeName);
+    Node there = node();
+    MessageType wanted = there.definitions().message(typeName);
     publisher =
-        node.advertise(
+        there.advertise(
             topic,
             wanted,
             delivery(false),
@@ -254,7 +266,7 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
               }
             });
     type = wanted;
-    return node.settled();
+    return there.settled();
   }
 
   /** Sends a message to all who listen. */

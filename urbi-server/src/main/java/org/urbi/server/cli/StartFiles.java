@@ -47,8 +47,8 @@ final class StartFiles {
   void loadRos(Kernel kernel, PrintStream err, Map<String, String> environment) {
     boolean named = ROS.stream().anyMatch(name -> !environment.getOrDefault(name, "").isEmpty());
     if (named) {
-      // Once its node is asked for, it says when there is no master.
-      load(kernel, err, "urbi/ros.u", "requireFile(\"urbi/ros.u\"); Ros.name|;\n");
+      // Once its node is asked for, it says when there is no master; nobody waits for that.
+      load(kernel, err, "urbi/ros.u", "requireFile(\"urbi/ros.u\"); detach(Ros.name)|;\n");
     }
   }
 
