@@ -65,7 +65,12 @@ public final class OneNode implements Node {
     this.settings = settings;
     master = api(settings.master());
     slave = new XmlRpcServer(settings.bound(), new SlaveMethods(this));
-    server = new TcpRosServer(settings.bound(), this);
+    try {
+      server = new TcpRosServer(settings.bound(), this);
+    } catch (IOException e) {
+      slave.close();
+      throw e;
+    }
     this.presence = presence;
     watch = new MasterWatch(master, this::looked);
     parameters = new Parameters(master, watch, this);

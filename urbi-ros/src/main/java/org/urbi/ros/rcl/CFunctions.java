@@ -12,6 +12,7 @@ import java.lang.foreign.ValueLayout;
 import java.lang.invoke.MethodHandle;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.urbi.ros.graph.RosException;
 
@@ -149,6 +150,11 @@ final class CFunctions {
    */
   void check(String name, Object... arguments) {
     if (number(name, arguments) != 0) throw new RosException(name + ": " + lastError());
+  }
+
+  /** Ends something, which can fail, too: that is told, with what C says about it. */
+  void end(Consumer<? super RosException> troubles, String name, Object... arguments) {
+    if (number(name, arguments) != 0) troubles.accept(new RosException(name + ": " + lastError()));
   }
 
   /** What the last function that failed in this thread says; it is forgotten then. */

@@ -111,6 +111,6 @@ final class Entity implements AutoCloseable {
     if (closed) return;
     closed = true;
     bytes.close();
-    session.use(() -> c.number("rcl_" + kind + "_fini", memory, session.node()));
+    session.end("rcl_" + kind + "_fini", memory);
   }
 }

@@ -67,7 +67,7 @@ public final class RclNode implements TwoHost {
     graph = new NodeGraph(session);
     try {
       conventions = new TwoConventions(this, clock, identity());
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       close();
       throw e;
     }

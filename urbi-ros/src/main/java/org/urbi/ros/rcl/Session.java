@@ -51,11 +51,11 @@ final class Session implements AutoCloseable {
     c.check("rcl_init_options_init", options, new Structure(allocator));
     c.check("rcl_init_options_set_domain_id", options, (long) domain);
     c.check("rcl_init", 0, MemorySegment.NULL, options, context);
-    c.check("rcl_init_options_fini", options);
+    c.end(troubles, "rcl_init_options_fini", options);
     try {
       initNode(name);
     } catch (RosException e) {
-      endContext();
+      endAll();
       throw e;
     }
     waiting = GuardedThreads.SDK.platform("urbi-ros-rcl-graph", () -> await(changed));
@@ -134,6 +134,14 @@ final class Session implements AutoCloseable {
     }
   }
 
+  /** Ends a part of the node by a function of C. What that says against it is told. */
+  void end(String function, MemorySegment part) {
+    use(() -> {
+      c.end(troubles, function, part, node);
+      return part;
+    });
+  }
+
   MemorySegment node() {
     return node;
   }
@@ -163,17 +171,18 @@ final class Session implements AutoCloseable {
     life.writeLock().lock();
     try {
       closed = true;
-      c.check("rcl_wait_set_fini", waitSet);
-      c.check("rcl_guard_condition_fini", waking);
-      c.check("rcl_node_fini", node);
-      endContext();
+      endAll();
     } finally {
       life.writeLock().unlock();
     }
   }
 
-  private void endContext() {
-    c.number("rcl_shutdown", context);
-    c.number("rcl_context_fini", context);
+  /** Each ends even if another does not; what has not begun takes no notice. */
+  private void endAll() {
+    c.end(troubles, "rcl_wait_set_fini", waitSet);
+    c.end(troubles, "rcl_guard_condition_fini", waking);
+    c.end(troubles, "rcl_node_fini", node);
+    c.end(troubles, "rcl_shutdown", context);
+    c.end(troubles, "rcl_context_fini", context);
   }
 }

@@ -1,5 +1,6 @@
 package org.urbi.ros.rtps;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
@@ -12,6 +13,7 @@ import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -65,12 +67,21 @@ final class UdpTransport implements DatagramSink {
     network = found;
     multicastAddress = new InetSocketAddress(GROUP, port(domain, 0));
     selector = Selector.open();
-    Pair pair = pair();
-    discovery = pair.discovery;
-    user = pair.user;
-    multicast = joined();
-    for (DatagramChannel channel : List.of(discovery, user, multicast))
-      channel.register(selector, SelectionKey.OP_READ);
+    List<Closeable> opened = new ArrayList<>(List.of(selector));
+    try {
+      Pair pair = pair();
+      opened.addAll(List.of(pair.discovery, pair.user));
+      discovery = pair.discovery;
+      user = pair.user;
+      multicast = joined();
+      opened.add(multicast);
+      for (DatagramChannel channel : List.of(discovery, user, multicast))
+        channel.register(selector, SelectionKey.OP_READ);
+    } catch (IOException e) {
+      // Of the last files that a process may open, none is kept for nothing.
+      for (Closeable each : opened) each.close();
+      throw e;
+    }
   }
 
   /** Two sockets at the first two ports that are free of those that participants have. */
@@ -78,7 +89,13 @@ final class UdpTransport implements DatagramSink {
     for (int index = 0; index <= LAST_INDEX; index++) {
       DatagramChannel first = bound(discoveryPort(domain, index));
       if (first == null) continue;
-      DatagramChannel second = bound(discoveryPort(domain, index) + 1);
+      DatagramChannel second;
+      try {
+        second = bound(discoveryPort(domain, index) + 1);
+      } catch (IOException e) {
+        first.close();
+        throw e;
+      }
       if (second != null) return new Pair(first, second);
       first.close();
     }

@@ -78,11 +78,16 @@ public final class TwoNode implements TwoHost {
             .withName(name())
             .withUserData(ENCLAVE);
     participant = Participant.open(options, new Changes());
-    entitiesWriter =
-        participant.writer(Entities.TOPIC, Entities.TYPE, ENTITIES, NO_DATA, WriterListener.NONE);
-    participant.reader(
-        Entities.TOPIC, Entities.TYPE, ALL_ENTITIES, NO_DATA, new EntitiesListener());
-    conventions = new TwoConventions(this, clock, participant.guid().bytes());
+    try {
+      entitiesWriter =
+          participant.writer(Entities.TOPIC, Entities.TYPE, ENTITIES, NO_DATA, WriterListener.NONE);
+      participant.reader(
+          Entities.TOPIC, Entities.TYPE, ALL_ENTITIES, NO_DATA, new EntitiesListener());
+      conventions = new TwoConventions(this, clock, participant.guid().bytes());
+    } catch (RuntimeException | Error e) {
+      participant.close();
+      throw e;
+    }
   }
 
   /**

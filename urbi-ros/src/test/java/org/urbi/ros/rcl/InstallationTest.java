@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.foreign.MemorySegment;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
@@ -97,6 +98,18 @@ class InstallationTest {
     Files.copy(Ways.installation().resolve("lib/librcutils.so"), library());
     String text = refusal("URBI_ROS_MIDDLEWARE", "rcl");
     assertTrue(text.contains("librcl.so is older than ROS 2 Iron"), text);
+  }
+
+  @Test
+  void whatDoesNotEndIsTold() {
+    Installation installation =
+        Installation.of(Map.of("AMENT_PREFIX_PATH", Ways.installation().toString())).orElseThrow();
+    installation.load();
+    installation
+        .functions()
+        .end(trouble -> told.add(trouble.getMessage()), "rcl_node_fini", MemorySegment.NULL);
+    String text = String.valueOf(told.poll());
+    assertTrue(text.startsWith("rcl_node_fini: ") && text.length() > 20, text);
   }
 
   @Test
