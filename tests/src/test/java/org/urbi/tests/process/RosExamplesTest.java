@@ -36,8 +36,7 @@ class RosExamplesTest {
         Stream.of("rospy", "nav_msgs", "sensor_msgs", "geometry_msgs")
             .allMatch(each -> Files.isDirectory(Path.of("/usr/lib/python3/dist-packages", each))),
         "there is no ROS 1 on this machine");
-    make("sim-devices", "sim.jar");
-    make("urbi-ros", "urbi/ros.jar");
+    makeModules(folder);
     try (ServerSocket socket = new ServerSocket(0)) {
       port = socket.getLocalPort();
     }
@@ -48,10 +47,15 @@ class RosExamplesTest {
             .with("ROS_MASTER_URI", "http://127.0.0.1:" + port);
   }
 
-  private static void make(String module, String jar) throws IOException {
+  /** Writes the modules that the robot consists of into a folder. */
+  static void makeModules(Path folder) throws IOException {
+    make("sim-devices", folder.resolve("sim.jar"));
+    make("urbi-ros", folder.resolve("urbi/ros.jar"));
+  }
+
+  private static void make(String module, Path file) throws IOException {
     Path classes = ROOT.resolve(Path.of(module, "target", "classes"));
     assertTrue(Files.isDirectory(classes), classes + " is built before");
-    Path file = folder.resolve(jar);
     Files.createDirectories(file.getParent());
     ByteArrayOutputStream output = new ByteArrayOutputStream();
     PrintStream printer = new PrintStream(output, true, StandardCharsets.UTF_8);

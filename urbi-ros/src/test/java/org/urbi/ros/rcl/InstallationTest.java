@@ -116,12 +116,13 @@ class InstallationTest {
   void typesThatAreNotInstalled() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Node node = Ways.start("rcl", settings(domain.domain(), "node"), told::add)) {
-      MessageType range = node.definitions().message("sensor_msgs/Range");
+      MessageType frames = node.definitions().message("tf2_msgs/TFMessage");
       RosException missing =
           assertThrows(
-              RosException.class, () -> node.subscribe("range", range, Qos.DEFAULT, message -> {}));
+              RosException.class,
+              () -> node.subscribe("frames", frames, Qos.DEFAULT, message -> {}));
       assertEquals(
-          "the installed ROS 2 has nothing of the package sensor_msgs: build it there,"
+          "the installed ROS 2 has nothing of the package tf2_msgs: build it there,"
               + " or set URBI_ROS_MIDDLEWARE=embedded",
           missing.getMessage());
       // Others go on.

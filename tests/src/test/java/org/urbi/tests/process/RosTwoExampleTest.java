@@ -1,0 +1,63 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.process.JavaProcess.Setting;
+
+/** {@code examples/ros}, with a node of rclpy. */
+class RosTwoExampleTest {
+  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
+  private static final Path PYTHON = ROOT.resolve(".build/ros-peers/kilted/bin/python");
+
+  /** The suites of urbi-ros use lower domains, and the pages those between. */
+  private static final String DOMAIN = "100";
+
+  @TempDir static Path folder;
+
+  @Test
+  void aNodeDrivesTheSimulatedRobot() throws Exception {
+    assumeTrue(Files.exists(PYTHON), "no ROS 2 for the test: scripts/ros-peers.sh gets it");
+    RosExamplesTest.makeModules(folder);
+    Setting root =
+        Setting.in(ROOT).with("URBI_UOBJECT_PATH", folder.toString()).with("ROS_DOMAIN_ID", DOMAIN);
+    try (JavaProcess urbi =
+        JavaProcess.start(
+            root, "org.urbi.server.cli.UrbiCommand", List.of("-q", "-i", "examples/ros/robot.u"))) {
+      urbi.awaitText("The robot is there");
+      ProcessBuilder builder =
+          new ProcessBuilder(PYTHON.toString(), "examples/ros/drive_ros2.py")
+              .directory(ROOT.toFile())
+              .redirectErrorStream(true);
+      builder.environment().put("ROS_DOMAIN_ID", DOMAIN);
+      builder.environment().put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
+      Process pilot = builder.start();
+      try {
+        String said = new String(pilot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String distance = said.replaceAll("(?s).*something at ([\\d.]+) m.*", "$1");
+        assertEquals(
+            """
+            a scan of 181 rays, something at %s m
+            it went ahead
+            it came back
+            it stands
+            """
+                .formatted(distance),
+            said,
+            urbi::text);
+        assertTrue(Double.parseDouble(distance) < 4, distance);
+      } finally {
+        pilot.destroyForcibly();
+      }
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+  }
+}
