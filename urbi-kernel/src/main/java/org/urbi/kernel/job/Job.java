@@ -22,6 +22,9 @@ public final class Job extends JobFacts implements Runnable {
     void run(Job job);
   }
 
+  /** What Java code does in less than a millisecond, in steps: see {@link #worked}. */
+  private static final int STEPS_BETWEEN_CHECKS = 1 << 16;
+
   private final Interruptions interruptions;
   private final Body body;
   private final boolean surplus;
@@ -38,6 +41,9 @@ public final class Job extends JobFacts implements Runnable {
 
   /** How many stops made in pieces it has met, or was started after. */
   private int stopsMet;
+
+  /** What Java code has done for it since it last checked, in steps. */
+  private int steps;
 
   private int nestedSends;
   private int nonInterruptible;
@@ -388,6 +394,22 @@ public final class Job extends JobFacts implements Runnable {
   public void checkInterrupted() {
     if (interruptions.arePending()) {
       interruptions.check(this);
+    }
+  }
+
+  /**
+   * The same for long work in Java, which costs next to nothing: checks each time that so much has
+   * been done that it may have taken a millisecond.
+   *
+   * @param more how many steps have been done since it was last called, or are about to be: each of
+   *     some nanoseconds, as it takes to look at a number, or at sixteen characters
+   */
+  public void worked(long more) {
+    if (more >= STEPS_BETWEEN_CHECKS - steps) {
+      steps = 0;
+      checkInterrupted();
+    } else {
+      steps += (int) more;
     }
   }
 

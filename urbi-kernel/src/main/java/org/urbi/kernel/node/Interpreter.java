@@ -259,6 +259,8 @@ public final class Interpreter {
   /** Calls a function on behalf of a library function called at that site. */
   public UrbiObject call(
       Frame caller, CallSite site, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
+    // The library calls in loops, and only functions in urbiscript check themselves.
+    caller.job.checkInterrupted();
     if (code instanceof Code called) {
       CallSite from = called.isLazy() ? new EvaluatedCallSite(site, arguments) : site;
       return called.call(caller, from, self, arguments);

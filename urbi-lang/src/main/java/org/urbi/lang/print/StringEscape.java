@@ -16,10 +16,15 @@ public final class StringEscape {
   /** The contents of a literal between quotes of a kind. */
   public static String escape(String text, char quote) {
     var escaped = new StringBuilder(text.length() + 8);
-    for (int i = 0; i < text.length(); i++) {
+    append(escaped, text, 0, text.length(), quote);
+    return escaped.toString();
+  }
+
+  /** Appends a part of the contents of such a literal, from an index to another one. */
+  public static void append(StringBuilder escaped, String text, int begin, int end, char quote) {
+    for (int i = begin; i < end; i++) {
       append(escaped, text.charAt(i), quote);
     }
-    return escaped.toString();
   }
 
   /** The name as an identifier: between simple quotes unless it may go without. */

@@ -35,6 +35,9 @@ final class DictionaryType {
   private static final String CHANGED = "elementChanged";
   private static final String REMOVED = "elementRemoved";
 
+  /** What it costs to make an object, or an entry. */
+  private static final int STEPS_FOR_OBJECT = 16;
+
   private DictionaryType() {}
 
   private static Values values(Frame caller) {
@@ -82,6 +85,7 @@ final class DictionaryType {
     Symbol first = pair.world().symbol("first");
     Symbol second = pair.world().symbol("second");
     for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : self.sorted()) {
+      caller.job().worked(STEPS_FOR_OBJECT);
       UrbiObject both = new UrbiObject(pair);
       both.addSlot(first, entry.getKey().value());
       both.addSlot(second, entry.getValue());
@@ -117,6 +121,7 @@ final class DictionaryType {
       return false;
     }
     for (var entry : new LinkedHashMap<>(self.entries()).entrySet()) {
+      caller.job().worked(1);
       UrbiObject value = other.entries().get(entry.getKey());
       if (value == null || !Comparison.equal(caller, entry.getValue(), value)) {
         return false;
@@ -158,6 +163,7 @@ final class DictionaryType {
   @Builtin(doc = "Sets the value of a key; returns the target.", needs = Permission.CHANGE)
   static UrbiObject set(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
     UrbiDictionary.Key found = DictionaryKey.of(caller, key);
+    caller.job().worked(STEPS_FOR_OBJECT);
     UrbiObject before = self.modify().put(found, value);
     self.noteContentChange();
     emit(caller, self, before == null ? ADDED : CHANGED);

@@ -23,7 +23,9 @@ final class ListSearch {
 
   @Builtin(doc = "Whether an element is equal to that.")
   static boolean has(Frame caller, UrbiList self, UrbiObject that) {
-    for (UrbiObject element : List.copyOf(self.elements())) {
+    List<UrbiObject> elements = List.copyOf(self.elements());
+    caller.job().worked(elements.size());
+    for (UrbiObject element : elements) {
       if (Comparison.equal(caller, element, that)) {
         return true;
       }

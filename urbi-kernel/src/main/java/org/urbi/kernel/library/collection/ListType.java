@@ -226,6 +226,7 @@ final class ListType {
   static UrbiObject remove(Frame caller, UrbiList self, UrbiObject val) {
     for (UrbiObject element : List.copyOf(self.elements())) {
       if (Comparison.equal(caller, element, val)) {
+        caller.job().worked(self.elements().size());
         removeSame(self, element);
       }
     }

@@ -3,10 +3,10 @@ package org.urbi.kernel.library.date;
 import java.time.DateTimeException;
 import java.time.LocalDateTime;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.library.text.Characters;
 
 /** Reads dates (manual, "Date", "Construction"). */
 final class DateParser {
@@ -48,6 +48,6 @@ final class DateParser {
   private static int month(String text) {
     return Character.isDigit(text.charAt(0))
         ? number(text)
-        : MONTHS.indexOf(Characters.lower(text)) + 1;
+        : MONTHS.indexOf(text.toLowerCase(Locale.ROOT)) + 1;
   }
 }

@@ -99,7 +99,7 @@ final class PathType {
 
   @Builtin(doc = "A Hash, equal for equal paths.")
   static UrbiHash hash(Frame caller, UrbiPath self) {
-    return Hashing.hash(caller, UrbiHash.mix(7, Hashing.code(self.text())));
+    return Hashing.hash(caller, UrbiHash.mix(7, Hashing.code(caller, self.text())));
   }
 
   // ------------------------------------------------------------------ the file

@@ -13,6 +13,9 @@ import org.urbi.lang.print.FloatFormat;
 
 /** The common part of vectors and matrices: arithmetic element by element. */
 final class Elementwise {
+  /** What it costs to write a number. */
+  private static final int STEPS_FOR_NUMBER = 16;
+
   private Elementwise() {}
 
   /** Each element with that number. */
@@ -43,9 +46,10 @@ final class Elementwise {
   }
 
   /** The numbers with commas between them. */
-  static String text(double[] values, int from, int to) {
+  static String text(Frame frame, double[] values, int from, int to) {
     StringBuilder text = new StringBuilder();
     for (int i = from; i < to; i++) {
+      frame.job().worked(STEPS_FOR_NUMBER);
       text.append(i == from ? "" : ", ").append(FloatFormat.format(values[i]));
     }
     return text.toString();

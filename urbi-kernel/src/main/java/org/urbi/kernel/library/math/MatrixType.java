@@ -167,22 +167,23 @@ final class MatrixType {
     return switch (that) {
       case UrbiVector vector -> {
         Elementwise.requireSame(frame, site, self.columns() == vector.elements().length);
-        yield vector.sibling(product(self, vector.elements(), 1));
+        yield vector.sibling(product(frame, self, vector.elements(), 1));
       }
       case UrbiMatrix other -> {
         Elementwise.requireSame(frame, site, self.columns() == other.rows());
         yield self.sibling(
-            self.rows(), other.columns(), product(self, other.elements(), other.columns()));
+            self.rows(), other.columns(), product(frame, self, other.elements(), other.columns()));
       }
       default -> combined(frame, site, self, that, (x, y) -> x * y);
     };
   }
 
   /** The product with a matrix of that number of columns. */
-  private static double[] product(UrbiMatrix left, double[] right, int width) {
+  private static double[] product(Frame frame, UrbiMatrix left, double[] right, int width) {
     double[] values = new double[left.rows() * width];
     for (int i = 0; i < left.rows(); i++) {
       for (int j = 0; j < width; j++) {
+        frame.job().worked(left.columns());
         for (int k = 0; k < left.columns(); k++) {
           values[i * width + j] += left.elements()[i * left.columns() + k] * right[k * width + j];
         }
@@ -205,11 +206,11 @@ final class MatrixType {
   }
 
   @Builtin(doc = "The rows, as Matrix.new takes them.")
-  static String asString(UrbiMatrix self) {
+  static String asString(Frame frame, UrbiMatrix self) {
     List<String> rows = new ArrayList<>();
     for (int i = 0; i < self.rows(); i++) {
       int from = i * self.columns();
-      rows.add("[" + Elementwise.text(self.elements(), from, from + self.columns()) + "]");
+      rows.add("[" + Elementwise.text(frame, self.elements(), from, from + self.columns()) + "]");
     }
     return "Matrix(" + String.join(", ", rows) + ")";
   }

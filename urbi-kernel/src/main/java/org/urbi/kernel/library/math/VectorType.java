@@ -122,8 +122,8 @@ final class VectorType {
   }
 
   @Builtin(doc = "The elements between angle brackets.")
-  static String asString(UrbiVector self) {
+  static String asString(Frame frame, UrbiVector self) {
     double[] elements = self.elements();
-    return "<" + Elementwise.text(elements, 0, elements.length) + ">";
+    return "<" + Elementwise.text(frame, elements, 0, elements.length) + ">";
   }
 }

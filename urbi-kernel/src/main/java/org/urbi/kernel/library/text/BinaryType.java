@@ -50,7 +50,8 @@ public final class BinaryType {
   @Builtin(doc = "A Hash, equal for equal binaries.")
   static UrbiHash hash(Frame frame, UrbiBinary self) {
     return Hashing.hash(
-        frame, UrbiHash.mix(Hashing.code(self.keywords()), Hashing.code(self.data())));
+        frame,
+        UrbiHash.mix(Hashing.code(frame, self.keywords()), Hashing.code(frame, self.data())));
   }
 
   @Builtin(

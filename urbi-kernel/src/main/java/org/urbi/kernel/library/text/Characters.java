@@ -1,13 +1,23 @@
 package org.urbi.kernel.library.text;
 
 import java.util.function.IntPredicate;
+import java.util.function.IntUnaryOperator;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.Utf8Text;
 
 /** Character classes of the bytes of strings; bytes that are not ASCII belong to none. */
 public final class Characters {
   private Characters() {}
 
-  static boolean all(String text, IntPredicate property) {
-    return text.chars().allMatch(property);
+  /** Whether all characters of a text, which may be long, have a property. */
+  static boolean all(Job job, String text, IntPredicate property) {
+    for (int i = 0; i < text.length(); i++) {
+      job.worked(1);
+      if (!property.test(text.charAt(i))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   static boolean isControl(int c) {
@@ -50,21 +60,22 @@ public final class Characters {
     return isVisible(c) && !isLetterOrDigit(c);
   }
 
-  /** The text with its letters in upper case. */
-  static String upper(String text) {
-    char[] chars = text.toCharArray();
-    for (int i = 0; i < chars.length; i++) {
-      chars[i] = isLower(chars[i]) ? (char) (chars[i] - 'a' + 'A') : chars[i];
-    }
-    return new String(chars);
+  /** The text, which may be long, with its letters in upper case. */
+  static String upper(Job job, String text) {
+    return mapped(job, text, c -> isLower(c) ? c - 'a' + 'A' : c);
   }
 
-  /** The text with its letters in lower case. */
-  public static String lower(String text) {
-    char[] chars = text.toCharArray();
-    for (int i = 0; i < chars.length; i++) {
-      chars[i] = isUpper(chars[i]) ? (char) (chars[i] - 'A' + 'a') : chars[i];
+  /** The text, which may be long, with its letters in lower case. */
+  static String lower(Job job, String text) {
+    return mapped(job, text, c -> isUpper(c) ? c - 'A' + 'a' : c);
+  }
+
+  private static String mapped(Job job, String text, IntUnaryOperator mapping) {
+    byte[] bytes = Utf8Text.bytes(text);
+    for (int i = 0; i < bytes.length; i++) {
+      job.worked(1);
+      bytes[i] = (byte) mapping.applyAsInt(bytes[i]);
     }
-    return new String(chars);
+    return Utf8Text.text(bytes);
   }
 }

@@ -21,6 +21,9 @@ import org.urbi.kernel.object.World;
     doc = "A format string, as of printf, ready to be used.",
     needs = Permission.NOTHING)
 final class FormatterType {
+  /** What it costs to fill in a value. */
+  private static final int STEPS_FOR_PIECE = 64;
+
   private FormatterType() {}
 
   static UrbiObject newPrototype(World world) {
@@ -40,6 +43,7 @@ final class FormatterType {
     StringBuilder plain = new StringBuilder();
     int at = 0;
     while (at < text.length()) {
+      caller.job().worked(1);
       char c = text.charAt(at);
       if (c != '%') {
         plain.append(c);
@@ -102,6 +106,7 @@ final class FormatterType {
     StringBuilder out = new StringBuilder();
     int used = 0;
     for (UrbiObject piece : pieces) {
+      caller.job().worked(STEPS_FOR_PIECE);
       if (piece instanceof UrbiFormatInfo info) {
         if (used >= values.size()) {
           throw caller.error(site, Problem.TOO_FEW_FOR_FORMAT);

@@ -32,7 +32,7 @@ public final class Formatting {
     if (format.prefix().equals(" ") && !text.startsWith("+") && !text.startsWith("-")) {
       text = " " + text;
     }
-    return pad(inCase(text, format), 0, format);
+    return pad(inCase(caller, text, format), 0, format);
   }
 
   /** An integer in hexadecimal. */
@@ -68,7 +68,7 @@ public final class Formatting {
     if (format.alternate() && format.spec() == 'x') {
       sign += 2;
     }
-    return pad(inCase(digits, format), Double.isFinite(value) ? sign : 0, format);
+    return pad(inCase(caller, digits, format), Double.isFinite(value) ? sign : 0, format);
   }
 
   private static String radix(long value, int radix, String base, UrbiFormatInfo.Format format) {
@@ -184,10 +184,10 @@ public final class Formatting {
     return out.toString();
   }
 
-  private static String inCase(String text, UrbiFormatInfo.Format format) {
+  private static String inCase(Frame caller, String text, UrbiFormatInfo.Format format) {
     return switch (format.uppercase()) {
-      case 1 -> Characters.upper(text);
-      case -1 -> Characters.lower(text);
+      case 1 -> Characters.upper(caller.job(), text);
+      case -1 -> Characters.lower(caller.job(), text);
       default -> text;
     };
   }

@@ -9,13 +9,13 @@ import org.urbi.builtins.Optional;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
-import org.urbi.lang.grammar.Checkpoint;
 import org.urbi.lang.text.StringDistance;
 
 /** Strings as texts (manual, "String"): splitting, likeness, kinds of characters. */
@@ -25,6 +25,9 @@ final class StringText {
 
   /** So many characters are looked through at once. */
   private static final int PIECE = 1 << 16;
+
+  /** As many characters as are compared in the time of a step. */
+  private static final int CHARACTERS_IN_STEP = 16;
 
   private StringText() {}
 
@@ -58,13 +61,8 @@ final class StringText {
     boolean withEmpty = keepEmpty == null ? sep != null : Truth.of(caller, keepEmpty);
     List<UrbiObject> parts = new ArrayList<>();
     for (String part :
-        split(
-            self.value(),
-            separators,
-            limit,
-            withSeparators,
-            withEmpty,
-            new Checkpoint(caller.job()::checkInterrupted))) {
+        split(self.value(), separators, limit, withSeparators, withEmpty, caller.job())) {
+      caller.job().worked(1);
       parts.add(StringType.string(caller, part));
     }
     return parts;
@@ -76,9 +74,9 @@ final class StringText {
       int limit,
       boolean keepSep,
       boolean keepEmpty,
-      Checkpoint checkpoint) {
+      Job job) {
     if (separators.contains("")) {
-      return characters(text, limit);
+      return characters(text, limit, job);
     }
     boolean isLetter = separators.size() == 1 && separators.getFirst().length() == 1;
     List<String> longestFirst =
@@ -93,7 +91,7 @@ final class StringText {
         int next = text.indexOf(separators.getFirst().charAt(0), at, end);
         at = next < 0 ? end - 1 : next;
       }
-      String found = separatorAt(text, at, longestFirst, checkpoint);
+      String found = separatorAt(text, at, longestFirst, job);
       if (found == null) {
         at++;
         continue;
@@ -111,10 +109,11 @@ final class StringText {
   }
 
   /** Cuts between all characters: the empty separator is found everywhere. */
-  private static List<String> characters(String text, int limit) {
+  private static List<String> characters(String text, int limit, Job job) {
     List<String> parts = new ArrayList<>();
     int at = 0;
     while (at < text.length() - 1 && parts.size() != limit) {
+      job.worked(1);
       parts.add(text.substring(at, ++at));
     }
     addPart(parts, text.substring(at), false);
@@ -122,9 +121,9 @@ final class StringText {
   }
 
   private static @Nullable String separatorAt(
-      String text, int at, List<String> separators, Checkpoint checkpoint) {
+      String text, int at, List<String> separators, Job job) {
     for (String separator : separators) {
-      checkpoint.pass();
+      job.worked(1 + separator.length() / CHARACTERS_IN_STEP);
       if (text.startsWith(separator, at)) {
         return separator;
       }
@@ -161,62 +160,62 @@ final class StringText {
   // ------------------------------------------------------------------ kinds of characters
 
   @Builtin(doc = "Whether all characters are letters or digits.")
-  static boolean isAlnum(UrbiString self) {
-    return Characters.all(self.value(), Characters::isLetterOrDigit);
+  static boolean isAlnum(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isLetterOrDigit);
   }
 
   @Builtin(doc = "Whether all characters are letters.")
-  static boolean isAlpha(UrbiString self) {
-    return Characters.all(self.value(), Characters::isLetter);
+  static boolean isAlpha(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isLetter);
   }
 
   @Builtin(doc = "Whether all characters are in ASCII.")
-  static boolean isAscii(UrbiString self) {
-    return Characters.all(self.value(), c -> c < 0x80);
+  static boolean isAscii(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), c -> c < 0x80);
   }
 
   @Builtin(doc = "Whether all are control characters.")
-  static boolean isCntrl(UrbiString self) {
-    return Characters.all(self.value(), Characters::isControl);
+  static boolean isCntrl(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isControl);
   }
 
   @Builtin(doc = "Whether all characters are digits.")
-  static boolean isDigit(UrbiString self) {
-    return Characters.all(self.value(), Characters::isDigit);
+  static boolean isDigit(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isDigit);
   }
 
   @Builtin(doc = "Whether all characters are visible.")
-  static boolean isGraph(UrbiString self) {
-    return Characters.all(self.value(), Characters::isVisible);
+  static boolean isGraph(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isVisible);
   }
 
   @Builtin(doc = "Whether all characters are lower case letters.")
-  static boolean isLower(UrbiString self) {
-    return Characters.all(self.value(), Characters::isLower);
+  static boolean isLower(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isLower);
   }
 
   @Builtin(doc = "Whether all characters are visible, or the space.")
-  static boolean isPrint(UrbiString self) {
-    return Characters.all(self.value(), c -> c == ' ' || Characters.isVisible(c));
+  static boolean isPrint(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), c -> c == ' ' || Characters.isVisible(c));
   }
 
   @Builtin(doc = "Whether all characters are visible, but neither letters nor digits.")
-  static boolean isPunct(UrbiString self) {
-    return Characters.all(self.value(), Characters::isPunctuation);
+  static boolean isPunct(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isPunctuation);
   }
 
   @Builtin(doc = "Whether all are spaces, tabulations, ends of lines or of pages.")
-  static boolean isSpace(UrbiString self) {
-    return Characters.all(self.value(), Characters::isSpace);
+  static boolean isSpace(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isSpace);
   }
 
   @Builtin(doc = "Whether all characters are upper case letters.")
-  static boolean isUpper(UrbiString self) {
-    return Characters.all(self.value(), Characters::isUpper);
+  static boolean isUpper(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isUpper);
   }
 
   @Builtin(doc = "Whether all characters are hexadecimal digits.")
-  static boolean isXdigit(UrbiString self) {
-    return Characters.all(self.value(), Characters::isHexadecimal);
+  static boolean isXdigit(Frame caller, UrbiString self) {
+    return Characters.all(caller.job(), self.value(), Characters::isHexadecimal);
   }
 }

@@ -9,8 +9,10 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.Hashing;
+import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -28,6 +30,15 @@ import org.urbi.lang.print.StringEscape;
     doc = "A sequence of characters.",
     needs = Permission.NOTHING)
 public final class StringType {
+  /** What it costs to make an object, or a piece of a text. */
+  private static final int STEPS_FOR_OBJECT = 16;
+
+  /** As many characters as are compared or copied in the time of a step. */
+  private static final int CHARACTERS_IN_STEP = 16;
+
+  /** So many pairs of characters may be compared between two checks whether to continue. */
+  private static final int SEARCHED = 1 << 20;
+
   private StringType() {}
 
   static UrbiString string(Frame caller, String value) {
@@ -110,14 +121,15 @@ public final class StringType {
     String text = self.value();
     List<UrbiObject> characters = new ArrayList<>(text.length());
     for (int i = 0; i < text.length(); i++) {
+      caller.job().worked(STEPS_FOR_OBJECT);
       characters.add(string(caller, text.substring(i, i + 1)));
     }
     return characters;
   }
 
   @Builtin(doc = "The string as a literal.")
-  static String asPrintable(UrbiString self) {
-    return StringEscape.quote(self.value());
+  static String asPrintable(Frame caller, UrbiString self) {
+    return Printing.quoted(caller, self.value());
   }
 
   @Builtin(doc = "The target.")
@@ -127,7 +139,7 @@ public final class StringType {
 
   @Builtin(doc = "A Hash, equal for equal strings.")
   static UrbiHash hash(Frame caller, UrbiString self) {
-    return Hashing.hash(caller, Hashing.code(self.value()));
+    return Hashing.hash(caller, Hashing.code(caller, self.value()));
   }
 
   @Builtin(doc = "The character of a code, from 0 to 255.")
@@ -250,17 +262,45 @@ public final class StringType {
     if (from.isEmpty()) {
       throw caller.error(site, Problem.REPLACES_EMPTY_STRING);
     }
-    return self.value().replace(from, to);
+    return replace(caller.job(), self.value(), from, to);
+  }
+
+  /**
+   * A search may look at nearly all of the pattern for each character of the text, so that it takes
+   * place in pieces, the shorter the longer the pattern.
+   */
+  private static String replace(Job job, String text, String from, String to) {
+    int piece = Math.max(1, SEARCHED / from.length());
+    StringBuilder out = new StringBuilder();
+    int copied = 0;
+    int at = 0;
+    int last = text.length() - from.length();
+    while (at <= last) {
+      int begins = at + Math.min(piece, last + 1 - at);
+      int found = text.indexOf(from, at, begins + from.length() - 1);
+      if (found < 0) {
+        job.worked((long) (begins - at) * from.length() / CHARACTERS_IN_STEP);
+        at = begins;
+      } else {
+        job.worked(
+            STEPS_FOR_OBJECT
+                + ((long) (found - at) * from.length() + to.length()) / CHARACTERS_IN_STEP);
+        out.append(text, copied, found).append(to);
+        copied = found + from.length();
+        at = copied;
+      }
+    }
+    return copied == 0 ? text : out.append(text, copied, text.length()).toString();
   }
 
   @Builtin(doc = "The target in lower case.")
-  static String toLower(UrbiString self) {
-    return Characters.lower(self.value());
+  static String toLower(Frame caller, UrbiString self) {
+    return Characters.lower(caller.job(), self.value());
   }
 
   @Builtin(doc = "The target in upper case.")
-  static String toUpper(UrbiString self) {
-    return Characters.upper(self.value());
+  static String toUpper(Frame caller, UrbiString self) {
+    return Characters.upper(caller.job(), self.value());
   }
 
   @Builtin(doc = "The asString of the members of a list, with the target between them.")
@@ -277,7 +317,11 @@ public final class StringType {
     for (UrbiObject element : List.copyOf(elements)) {
       out.append(first ? "" : separator);
       first = false;
-      out.append(caller.interpreter().asString(caller, element));
+      String text = caller.interpreter().asString(caller, element);
+      caller
+          .job()
+          .worked(STEPS_FOR_OBJECT + (text.length() + separator.length()) / CHARACTERS_IN_STEP);
+      out.append(text);
     }
     return out.append(suffix).toString();
   }

@@ -19,25 +19,41 @@ import org.urbi.lang.grammar.Checkpoint;
  * whose operators are those of the library.
  */
 public final class Comparison {
+  /** As many characters of two texts as are compared in the time of a step. */
+  private static final int CHARACTERS_IN_STEP = 16;
+
   private Comparison() {}
 
   /** {@code a == b}. */
   public static boolean equal(Frame caller, UrbiObject a, UrbiObject b) {
     if (a instanceof UrbiFloat x && b instanceof UrbiFloat y && isPlain(caller, a, "==")) {
+      caller.job().worked(1);
       return x.value() == y.value();
     }
     if (a instanceof UrbiString x && b instanceof UrbiString y && isPlain(caller, a, "==")) {
-      return x.value().equals(y.value());
+      return equal(caller, x.value(), y.value());
     }
     return Truth.of(caller, caller.interpreter().send(caller, a, "==", b));
+  }
+
+  private static boolean equal(Frame caller, String a, String b) {
+    worked(caller, a, b);
+    return a.equals(b);
+  }
+
+  /** Two texts are about to be compared. */
+  private static void worked(Frame caller, String a, String b) {
+    caller.job().worked(1 + Math.min(a.length(), b.length()) / CHARACTERS_IN_STEP);
   }
 
   /** {@code a < b}. */
   public static boolean less(Frame caller, UrbiObject a, UrbiObject b) {
     if (a instanceof UrbiFloat x && b instanceof UrbiFloat y && isPlain(caller, a, "<")) {
+      caller.job().worked(1);
       return x.value() < y.value();
     }
     if (a instanceof UrbiString x && b instanceof UrbiString y && isPlain(caller, a, "<")) {
+      worked(caller, x.value(), y.value());
       return x.value().compareTo(y.value()) < 0;
     }
     return Truth.of(caller, caller.interpreter().send(caller, a, "<", b));

@@ -9,6 +9,9 @@ import org.urbi.kernel.object.UrbiString;
 
 /** Hashes of values (manual, "Hash"), directly where they are plain numbers or strings. */
 public final class Hashing {
+  /** So many characters are looked at between two checks whether to continue. */
+  private static final int PIECE = 1 << 14;
+
   private Hashing() {}
 
   /** A new {@code Hash}. */
@@ -22,10 +25,17 @@ public final class Hashing {
     return UrbiHash.mix(1, Double.doubleToLongBits(number + 0.0));
   }
 
-  public static long code(String text) {
+  /** The code of a text, however long. */
+  public static long code(Frame caller, String text) {
     long code = 2;
-    for (int i = 0; i < text.length(); i++) {
-      code = UrbiHash.mix(code, text.charAt(i));
+    int end = 0;
+    while (end < text.length()) {
+      int begin = end;
+      end += Math.min(PIECE, text.length() - begin);
+      for (int i = begin; i < end; i++) {
+        code = UrbiHash.mix(code, text.charAt(i));
+      }
+      caller.job().worked(end - begin);
     }
     return code;
   }
@@ -42,10 +52,11 @@ public final class Hashing {
   /** The code of any value, by its {@code hash}. */
   public static long code(Frame caller, UrbiObject value) {
     if (value instanceof UrbiFloat number && Comparison.isPlain(caller, value, "hash")) {
+      caller.job().worked(1);
       return code(number.value());
     }
     if (value instanceof UrbiString text && Comparison.isPlain(caller, value, "hash")) {
-      return code(text.value());
+      return code(caller, text.value());
     }
     UrbiObject hash = caller.interpreter().send(caller, value, "hash");
     return switch (hash) {

@@ -26,6 +26,9 @@ import org.urbi.lang.print.StringEscape;
  * itself is shown as {@code [...]}, or {@code (...)}.
  */
 public final class Printing {
+  /** So many characters are shown between two checks whether to continue. */
+  private static final int PIECE = 1 << 14;
+
   private final Frame caller;
   private final Values values;
   private final Symbol asPrintable;
@@ -49,6 +52,13 @@ public final class Printing {
     return printing.out.toString();
   }
 
+  /** A text, however long, as a literal. */
+  public static String quoted(Frame caller, String text) {
+    Printing printing = new Printing(caller);
+    printing.appendQuoted(text);
+    return printing.out.toString();
+  }
+
   /** Any value as its {@code asPrintable} shows it. */
   public static String printable(Frame caller, UrbiObject value) {
     Printing printing = new Printing(caller);
@@ -61,12 +71,24 @@ public final class Printing {
     if (value instanceof UrbiFloat number && value.shape() == values.floatShape && isPlain(value)) {
       out.append(FloatFormat.format(number.value()));
     } else if (value instanceof UrbiString text && isPlain(value)) {
-      out.append(StringEscape.quote(text.value()));
+      appendQuoted(text.value());
     } else if (isContainer(value) && isPlain(value)) {
       appendContainer(value);
     } else {
       out.append(caller.interpreter().asPrintable(caller, value));
     }
+  }
+
+  private void appendQuoted(String text) {
+    out.append('"');
+    int end = 0;
+    while (end < text.length()) {
+      int begin = end;
+      end += Math.min(PIECE, text.length() - begin);
+      StringEscape.append(out, text, begin, end, '"');
+      caller.job().worked(end - begin);
+    }
+    out.append('"');
   }
 
   private boolean isContainer(UrbiObject value) {

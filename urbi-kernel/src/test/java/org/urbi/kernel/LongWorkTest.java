@@ -1,0 +1,133 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.job.Interruptions;
+
+/**
+ * Long work of a single function in Java checks regularly whether to continue, in proportion to
+ * what it does, so that whatever a client gives it can be ended. What is counted are the checks.
+ */
+class LongWorkTest {
+  /** A million steps, of which a check is made at least each 65,536, less some for rounding. */
+  private static final int CHECKS = 12;
+
+  private static final Kernel KERNEL = Kernel.builder().virtualTime(true).log(line -> {}).start();
+  private long checks;
+
+  @AfterAll
+  static void close() {
+    KERNEL.close();
+  }
+
+  private long checksOf(String preparation, String work) {
+    Interruptions interruptions = KERNEL.scheduler().interruptions();
+    KERNEL.define(
+        "begun",
+        nothing -> {
+          checks = 0;
+          interruptions.request(
+              KERNEL.scheduler().running().lobby(),
+              job -> {
+                checks++;
+                return false;
+              });
+          return null;
+        });
+    KERNEL.define(
+        "done",
+        nothing -> {
+          interruptions.clear(KERNEL.scheduler().running().lobby());
+          return null;
+        });
+    KERNEL.eval("{ " + preparation + "; begun | { " + work + " } | done }");
+    return checks;
+  }
+
+  @Test
+  void littleWorkDoesNotCheckOften() {
+    long checked = checksOf("var s = \"ab\"", "s.toUpper");
+    assertTrue(checked < CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "s.toUpper",
+        "s.toLower",
+        "s.isAlpha",
+        "s.hash",
+        "s.asPrintable",
+        "[s].asString",
+        "\"%S\" % s",
+        "s.replace(\"a\", \"b\")",
+        "s.replace(\"a\" * 20000 + \"b\", \"c\")",
+        "s.split(\"a\" * 20000 + \"b\")",
+        "s.split(\"\")",
+        "s.asList",
+        "Formatter.new(s)",
+      })
+  void ofLongStrings(String work) {
+    long checked = checksOf("var s = \"a\" * 1000000", work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "l.hash",
+        "l == m",
+        "l < m",
+        "l.has(t + \"b\")",
+        "l.has(u)",
+        "l - [u]",
+        "[u].subset(l)",
+        "l.sort",
+        "l.max",
+        "l.min",
+        "l.join(s)",
+        "d == e",
+      })
+  void ofLongStringsInLists(String work) {
+    long checked =
+        checksOf(
+            "var s = \"a\" * 20000; var t = \"a\" * 20000; var u = \"a\" * 19999 + \"b\";"
+                + " var l = [s] * 1000; var m = [t] * 1000; var d = [=>]; var e = [=>];"
+                + " for| (var i : 1000) { d[i] = s | e[i] = t }",
+            work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "l.subset(l.reverse)",
+        "l - l.reverse",
+        "l.sort",
+        "(l * 100).map(Math.getSlotValue(\"sin\"))",
+        "(l * 100).hash",
+        "l * 100 == l * 100",
+        "(l * 100).has(-1)",
+        "m.remove(1)",
+        "(l * 100).asString",
+        "(l * 100).join",
+        "(l * 100).max",
+      })
+  void ofLongLists(String work) {
+    long checked =
+        checksOf(
+            "var l = []; for| (var i : 10000) l << i; var m = []; for| (10000) m << 1 + 0", work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"m * m", "v.asString", "Matrix.new(100000, 10).asString"})
+  void ofMatrices(String work) {
+    long checked = checksOf("var m = Matrix.new(200, 200); var v = Vector.new(100000.seq)", work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+}
