@@ -9,10 +9,13 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Interruptions;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.ErrorStyle;
@@ -150,8 +153,17 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   @Override
   public void evict(String why) {
-    interruptRunning();
-    kernel.inbox().post(new Message.Evicted(number, why));
+    evict(lastStatement(), why);
+  }
+
+  long lastStatement() {
+    return lobby().shell().lastStatement();
+  }
+
+  /** Ends what statements up to that number do: those behind it are not to blame. */
+  void evict(long last, String why) {
+    interruptRunning(job -> !lobby().shell().isAfter(job, last));
+    kernel.inbox().post(new Message.Evicted(number, last, why));
   }
 
   @Override
@@ -163,9 +175,13 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
    * Code that never lets others run cannot be reached by a message, so it is interrupted at once.
    */
   private void interruptRunning() {
+    interruptRunning(Interruptions.EVERYTHING);
+  }
+
+  private void interruptRunning(Predicate<Job> which) {
     UrbiObject of = lobby;
     if (of != null) {
-      kernel.scheduler().interruptions().request(of);
+      kernel.scheduler().interruptions().request(of, which);
       if (left) {
         // The message behind it will not be taken any more.
         kernel.scheduler().interruptions().withdraw(of);
@@ -379,7 +395,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     kernel.scheduler().interruptions().clear(lobby());
     try {
       if (ending instanceof Message.Evicted evicted) {
-        evicted(evicted.reason());
+        evicted(evicted.last(), evicted.reason());
       } else {
         closed();
       }
@@ -446,15 +462,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     }
   }
 
-  private void evicted(String reason) {
+  private void evicted(long last, String reason) {
     if (finished) {
       kernel.leftBehind().end(this, reason);
     } else {
-      lobby().shell().interrupt();
-      lobby()
-          .connectionTag()
-          .state()
-          .stop(kernel.scheduler(), kernel.interpreter().values().voidObject);
+      lobby().shell().evict(last);
       tell(Problem.EVICTED.text(reason));
       consumed();
     }

@@ -34,7 +34,7 @@ public final class Interruptions {
   private static final long NONE = -1;
 
   /** All that a lobby runs. */
-  private static final Predicate<Job> EVERYTHING = job -> true;
+  public static final Predicate<Job> EVERYTHING = job -> true;
 
   /** Which code of a lobby is to end. */
   private final Map<UrbiObject, Predicate<Job>> lobbies = new ConcurrentHashMap<>();

@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -14,7 +15,7 @@ final class StopOfTag extends Stop {
   private final TagState tag;
   private final UrbiObject value;
   private final boolean dismissing;
-  private final long lastJob;
+  private final Predicate<TagScope> concerned;
   private final List<TagScope> scopes;
   private final Iterator<TagScope> left;
   private @Nullable ScopeWalk<TagScope.Attachment> handlers;
@@ -28,15 +29,15 @@ final class StopOfTag extends Stop {
   /**
    * @param value what the code returns that is stopped
    * @param dismissing whether handlers end without their {@code onleave} clauses
-   * @param lastJob what jobs with greater numbers have begun goes on
+   * @param concerned what is stopped of the code under the tag: the rest goes on
    */
-  StopOfTag(TagState tag, UrbiObject value, boolean dismissing, long lastJob) {
+  StopOfTag(TagState tag, UrbiObject value, boolean dismissing, Predicate<TagScope> concerned) {
     this.tag = tag;
     this.value = value;
     this.dismissing = dismissing;
-    this.lastJob = lastJob;
+    this.concerned = concerned;
     this.scopes = new ArrayList<>(tag.scopes);
-    scopes.removeIf(scope -> !scope.isOf(lastJob));
+    scopes.removeIf(scope -> !concerned.test(scope));
     this.left = scopes.iterator();
   }
 
@@ -99,7 +100,7 @@ final class StopOfTag extends Stop {
   private @Nullable TagScope outermost(TagScope inner) {
     TagScope found = null;
     for (TagScope each = inner; each != null; each = each.around()) {
-      if (each.tag() == tag && each.isOf(lastJob)) {
+      if (each.tag() == tag && concerned.test(each)) {
         found = each;
       }
     }

@@ -47,6 +47,7 @@ public final class TagScope {
   private final Set<Attachment> attachments = new LinkedHashSet<>();
   private int sweptAt = SWEPT_FROM;
   private boolean closed;
+  private long statement;
   private int stops;
   private boolean over;
 
@@ -152,6 +153,21 @@ public final class TagScope {
   /** Whether a job has entered it whose number is not greater than that. */
   boolean isOf(long last) {
     return owner == null || owner.number() <= last;
+  }
+
+  /** What it is for is the statement of that number, of those of a console. */
+  public void isForStatement(long number) {
+    statement = number;
+  }
+
+  /** Whether the code here belongs to a statement of a greater number. */
+  public boolean isAfter(long last) {
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.statement > last) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Whether the code here is in a scope {@linkplain #isOf of} those jobs, under that tag. */

@@ -117,12 +117,17 @@ public final class TagState {
    * what is ended.
    */
   public void stop(Scheduler scheduler, UrbiObject value, long last) {
-    scheduler.stops().begin(new StopOfTag(this, value, false, last));
+    scheduler.stops().begin(new StopOfTag(this, value, false, scope -> scope.isOf(last)));
+  }
+
+  /** The same, but not what statements of a console have begun whose numbers are greater. */
+  public void stopStatements(Scheduler scheduler, UrbiObject value, long last) {
+    scheduler.stops().begin(new StopOfTag(this, value, false, scope -> !scope.isAfter(last)));
   }
 
   /** The same without the {@code onleave} clauses of what waits there without a job (handlers). */
   public void abandon(Scheduler scheduler, UrbiObject value) {
-    scheduler.stops().begin(new StopOfTag(this, value, true, Long.MAX_VALUE));
+    scheduler.stops().begin(new StopOfTag(this, value, true, scope -> true));
   }
 
   /** Whether {@link #stop(Scheduler, UrbiObject, long)} ends that job. */

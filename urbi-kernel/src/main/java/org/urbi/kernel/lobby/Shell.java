@@ -82,6 +82,9 @@ public final class Shell {
   private boolean busy;
   private long bytesReceived;
 
+  /** The number of the statement that it reads or executes, or will read when input comes. */
+  private volatile long statement;
+
   public Shell(Interpreter interpreter, UrbiLobby lobby, Listener listener) {
     this.interpreter = interpreter;
     this.lobby = lobby;
@@ -205,6 +208,31 @@ public final class Shell {
     }
   }
 
+  /** The number of the last statement that has begun, to be read or executed; from any thread. */
+  public long lastStatement() {
+    return statement;
+  }
+
+  /** Whether a job does what a statement has begun whose number is greater than that. */
+  public boolean isAfter(Job one, long last) {
+    return one == job && statement > last || one.scope().isAfter(last);
+  }
+
+  /**
+   * As {@link #interrupt}, and ends also all else that the client has begun, but for what
+   * statements have whose numbers are greater than that, and input that is still to be read.
+   */
+  public void evict(long last) {
+    boolean idle = waiting && !reader.pending();
+    if (statement <= last && !idle) {
+      interrupt();
+    }
+    lobby
+        .connectionTag()
+        .state()
+        .stopStatements(interpreter.scheduler(), interpreter.values().voidObject, last);
+  }
+
   /** Whether all that the lobby does has been {@linkplain #close ended}. */
   boolean isClosed() {
     return closed;
@@ -238,6 +266,7 @@ public final class Shell {
     try {
       while (!closed) {
         Item item;
+        statement++;
         try {
           if (failedBefore) {
             // It may fail again, for want of memory: whoever ends it must have a turn.
@@ -307,6 +336,7 @@ public final class Shell {
         listener.starving(true);
         try {
           shell.waitForWake(Wait.INPUT);
+          beginsAnew();
         } finally {
           waiting = false;
           shell.setDaemon(false);
@@ -315,6 +345,13 @@ public final class Shell {
       }
     }
     return null;
+  }
+
+  /** What comes now has not begun when it was waited for, unless the input is half a statement. */
+  private void beginsAnew() {
+    if (!reader.pending()) {
+      statement++;
+    }
   }
 
   /** Executes the next message; false if there is none. */
@@ -396,7 +433,7 @@ public final class Shell {
       return;
     }
     if (statement.separator() == Ast.Flavor.COMMA) {
-      TagScope scope = shell.enter(lobby.connectionTag().state());
+      TagScope scope = enterStatement(shell);
       try {
         interpreter
             .scheduler()
@@ -425,6 +462,12 @@ public final class Shell {
         });
   }
 
+  private TagScope enterStatement(Job shell) {
+    TagScope scope = shell.enter(lobby.connectionTag().state());
+    scope.isForStatement(statement);
+    return scope;
+  }
+
   /**
    * Executes a statement in the foreground.
    *
@@ -435,7 +478,7 @@ public final class Shell {
     boolean interrupted = false;
     foregroundTag = newTag();
     try {
-      TagScope scope = shell.enter(lobby.connectionTag().state());
+      TagScope scope = enterStatement(shell);
       try {
         if (runsToEnd(shell, action)) {
           end.run();

@@ -104,8 +104,13 @@ public sealed interface Message {
   /** What frees memory. It is delivered again until it has been obeyed, before all others. */
   sealed interface Ending extends Lasting {}
 
-  /** All jobs of a lobby must end, for that reason. */
-  record Evicted(int to, String reason) implements Ending {}
+  /**
+   * All that a lobby does must end, for that reason.
+   *
+   * @param last the number of the last statement of its client that had begun when this was
+   *     decided: what has come since is not to blame
+   */
+  record Evicted(int to, long last, String reason) implements Ending {}
 
   /**
    * What the embedding program has begun must end, for that reason.
