@@ -10,9 +10,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executor;
-import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.outside.ChildProcess;
@@ -77,8 +74,9 @@ final class IsolatedProcess implements ModuleProcess {
       if (running != null) {
         attend(running, opened);
         sendTask(running, opened);
-        after(startLimit.toMillis())
-            .execute(() -> {
+        TimeLimit.after(
+            startLimit.toMillis(),
+            () -> {
               if (!started) {
                 kill("not started within " + startLimit.toSeconds() + " s");
               }
@@ -175,14 +173,6 @@ final class IsolatedProcess implements ModuleProcess {
     return command;
   }
 
-  /** On a thread of its own: those that the program around the kernel shares may all be blocked. */
-  private static Executor after(long milliseconds) {
-    return CompletableFuture.delayedExecutor(
-        milliseconds,
-        TimeUnit.MILLISECONDS,
-        work -> FailureLog.THREADS.platform("urbi-module-limit", work).start());
-  }
-
   @Override
   public void started() {
     started = true;
@@ -200,7 +190,7 @@ final class IsolatedProcess implements ModuleProcess {
 
   @Override
   public void disconnected(String why) {
-    after(MILLISECONDS_TO_END).execute(() -> kill(why));
+    TimeLimit.after(MILLISECONDS_TO_END, () -> kill(why));
   }
 
   private void awaitEnd(Process running, ModuleNetwork.Entrance opened, Thread reader) {
