@@ -125,6 +125,13 @@ class LongWorkTest {
   }
 
   @ParameterizedTest
+  @ValueSource(strings = {"d.keys", "d.asList", "d.asString"})
+  void ofLargeDictionaries(String work) {
+    long checked = checksOf("var d = [=>]; for| (var i : 30000) d[(i * 7919) % 30011] = i", work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
   @ValueSource(strings = {"m * m", "v.asString", "Matrix.new(100000, 10).asString"})
   void ofMatrices(String work) {
     long checked = checksOf("var m = Matrix.new(200, 200); var v = Vector.new(100000.seq)", work);

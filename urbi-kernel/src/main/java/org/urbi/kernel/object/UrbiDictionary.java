@@ -64,6 +64,9 @@ public final class UrbiDictionary extends UrbiObject {
     }
   }
 
+  /** Sorting the entries can be ended: there may be millions. A power of two. */
+  private static final int COMPARISONS_BETWEEN_CHECKS = 1 << 10;
+
   private final LinkedHashMap<Key, UrbiObject> entries;
 
   public UrbiDictionary(Shape shape, Map<Key, UrbiObject> entries) {
@@ -85,7 +88,15 @@ public final class UrbiDictionary extends UrbiObject {
     for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
       ranked[next++] = Ranked.of(entry);
     }
-    Arrays.sort(ranked);
+    int[] compared = {0};
+    Arrays.sort(
+        ranked,
+        (one, other) -> {
+          if ((++compared[0] & (COMPARISONS_BETWEEN_CHECKS - 1)) == 0) {
+            world().passCheckpoint();
+          }
+          return one.compareTo(other);
+        });
     List<Map.Entry<Key, UrbiObject>> sorted = new ArrayList<>(ranked.length);
     for (Ranked each : ranked) {
       sorted.add(each.entry());
