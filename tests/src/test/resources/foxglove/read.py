@@ -1,7 +1,8 @@
-"""Reads an MCAP file with the library of its inventors, and tells what is in it: read.py FILE [whole].
+"""Reads an MCAP file with the libraries of its inventors, and tells what is in it: read.py FILE [whole].
 
 With "whole" it wants the summary; without, it reads as far as it goes.
 """
+import json
 import sys
 from collections import Counter
 
@@ -9,6 +10,8 @@ from mcap.exceptions import EndOfFile
 from mcap.reader import make_reader
 from mcap.records import Channel, Message, Schema
 from mcap.stream_reader import StreamReader
+from mcap_ros2.decoder import DecoderFactory
+from mcap_ros2.reader import read_ros2_messages
 
 
 def by_summary(stream):
@@ -33,13 +36,36 @@ def as_far_as_it_goes(stream):
         print("ends early")
 
 
+def plain(value):
+    """What a library has made of a message of ROS 2, as JSON has it; of bytes the beginning."""
+    if isinstance(value, (bytes, memoryview)):
+        return bytes(value[:3]).hex()
+    if hasattr(value, "__slots__"):
+        return {name: plain(getattr(value, name)) for name in value.__slots__}
+    return [plain(each) for each in value] if isinstance(value, (list, tuple)) else value
+
+
+def text(schema, channel, data):
+    if channel.message_encoding == "json":
+        return data.decode()
+    message = DecoderFactory().decoder_for(channel.message_encoding, schema)(data)
+    return json.dumps(plain(message), separators=(",", ":"), ensure_ascii=False)
+
+
+whole = sys.argv[2:] == ["whole"]
 with open(sys.argv[1], "rb") as file:
-    messages = by_summary(file) if sys.argv[2:] == ["whole"] else as_far_as_it_goes(file)
-    count, last = Counter(), {}
+    messages = by_summary(file) if whole else as_far_as_it_goes(file)
+    count, last, topics = Counter(), {}, set()
     for schema, channel, message in messages:
-        count[channel.topic] += 1
-        last[channel.topic] = message.data
-        if count[channel.topic] == 1:
+        key = (channel.topic, schema.name)
+        count[key] += 1
+        last[key] = (schema, channel, message.data)
+        if channel.message_encoding == "cdr":
+            topics.add(channel.topic)
+        if count[key] == 1:
             print("channel", channel.topic, channel.message_encoding, schema.name, schema.encoding)
-    for topic, number in count.items():
-        print("messages", topic, number, last[topic][:60].decode())
+    for key, number in count.items():
+        print("messages", key[0], number, text(*last[key])[:200])
+if whole:
+    only = sorted(topic for topic, _ in count if [t for t, _ in count].count(topic) == 1 and topic in topics)
+    print("of ROS", sum(1 for _ in read_ros2_messages(sys.argv[1], topics=only)))

@@ -146,11 +146,58 @@ class FoxglovePeersTest {
     has(
         content,
         "summary 2003 5 4",
-        "channel /log json foxglove.Log jsonschema",
-        "channel /ball/picture json foxglove.CompressedImage jsonschema",
+        "channel /log cdr rcl_interfaces/msg/Log ros2msg",
+        "channel /ball/picture cdr sensor_msgs/msg/CompressedImage ros2msg",
         "messages /ball/x 1000 {\"value\":999.0}",
         "messages /counter 1000 {\"value\":999.0}",
-        "messages /ball/path 1 {\"value\":[[1.0,2.0],[3.0,4.0]]}");
+        "messages /ball/path 1 {\"value\":[[1.0,2.0],[3.0,4.0]]}",
+        "of ROS 2002");
+  }
+
+  /** Values that are hard to write: what ROS has no type for is JSON, all else is kept. */
+  @Test
+  void recordingOfOddValuesIsReadAsMessagesOfRos(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("run.mcap");
+    Path program =
+        Files.writeString(
+            folder.resolve("program.u"),
+            """
+            var Global.o = Object.new|;
+            for (var name: ["n", "infinite", "on", "text", "none", "many", "map", "image", "broken", "lost"])
+              UVar.new(o, name)|;
+            o.n = nan| o.infinite = -inf| o.on = true| o.text = "é \\0 😀"| o.none = ""| o.many = []|
+            o.map = ["a" => 1]| o.image = Binary.new("rgb 1 1", "abc")| o.broken = Binary.new("jpeg", "")|
+            o.lost = 1|;
+            sleep(1s);
+            o.many = [1, inf]| o.lost = nil|;
+            Logger.log("one")|;
+            sleep(40000d);
+            Logger.log("two")|;
+            """);
+    List<String> words =
+        List.of("-q", "--fast", "--mcap", file.toString(), "-f", program.toString());
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+      assertTrue(!urbi.text().contains("internal error"), urbi::text);
+    }
+    List<String> content = read(file, "whole");
+    has(
+        content,
+        "messages /o/n 1 {\"value\":NaN}",
+        "messages /o/infinite 1 {\"value\":-Infinity}",
+        "messages /o/on 1 {\"value\":true}",
+        "messages /o/text 1 {\"value\":\"é \\u0000 😀\"}",
+        "messages /o/none 1 {\"value\":\"\"}",
+        "messages /o/many 2 {\"value\":[1.0,Infinity]}",
+        "messages /o/map 1 {\"value\":{\"a\":1.0}}",
+        "messages /o/image 1 {\"header\":{\"stamp\":{\"sec\":1262304000,\"nanosec\":0},"
+            + "\"frame_id\":\"o.image\"},\"format\":\"jpeg\",\"data\":\"ffd8ff\"}",
+        "channel /o/lost cdr urbi/msg/Number ros2msg",
+        "channel /o/lost json urbi.Number jsonschema",
+        "messages /o/lost 1 {\"value\":1.0}",
+        "messages /o/lost 1 {\"value\":null}",
+        "messages /log 2 {\"stamp\":{\"sec\":2147483647,\"nanosec\":0},\"level\":20,\"name\":\"urbi\","
+            + "\"msg\":\"[        Logger         ] two\",\"file\":\"\",\"function\":\"\",\"line\":0}");
   }
 
   @Test

@@ -179,13 +179,17 @@ public record Topic(String path, VariableKind kind) {
 
   private static void writeLog(JsonGenerator out, long time, String line) throws IOException {
     writeTime(out, time);
-    String start = line.toLowerCase(Locale.ROOT);
-    int level = start.startsWith("error") ? ERROR : start.startsWith("warning") ? WARNING : INFO;
-    out.writeNumberField("level", level);
+    out.writeNumberField("level", level(line));
     out.writeStringField("message", line);
     out.writeStringField("name", "urbi");
     out.writeStringField("file", "");
     out.writeNumberField("line", 0);
+  }
+
+  /** How important a line of the log is, as Foxglove counts: 2 is for information, 4 an error. */
+  public static int level(String line) {
+    String start = line.toLowerCase(Locale.ROOT);
+    return start.startsWith("error") ? ERROR : start.startsWith("warning") ? WARNING : INFO;
   }
 
   private void writeImage(JsonGenerator out, long time, Bytes image) throws IOException {
@@ -196,7 +200,7 @@ public record Topic(String path, VariableKind kind) {
   }
 
   /** The image as a JPEG file; nothing if it is broken. */
-  private static byte[] jpeg(Bytes image) {
+  public static byte[] jpeg(Bytes image) {
     try {
       UImage picture = new UBinary(image.keywords(), image.bytes()).uimageValue();
       ImageFormat format = ImageFormat.of(picture.format_string());

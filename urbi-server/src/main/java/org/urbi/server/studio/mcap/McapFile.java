@@ -75,26 +75,35 @@ final class McapFile implements Closeable {
   /**
    * Declares a channel.
    *
-   * @param schema its text, a JSON schema
+   * @param form of its messages; those with the same name of a schema have the same schema
    * @return its number; -1 when there are too many
    */
-  int channel(String topic, String schemaName, String schema) {
+  int channel(String topic, Form form) {
     if (channels == MOST_CHANNELS) {
       return -1;
     }
-    Integer known = schemas.get(schemaName);
+    Integer known = schemas.get(form.schemaName());
     if (known == null) {
       known = schemas.size() + 1;
-      schemas.put(schemaName, known);
+      schemas.put(form.schemaName(), known);
       declare(
           SCHEMA,
-          new McapBuffer().shortNumber(known).text(schemaName).text("jsonschema").text(schema),
+          new McapBuffer()
+              .shortNumber(known)
+              .text(form.schemaName())
+              .text(form.schemaEncoding())
+              .text(form.schema()),
           schemaRecords);
     }
     int number = ++channels;
     declare(
         CHANNEL,
-        new McapBuffer().shortNumber(number).shortNumber(known).text(topic).text("json").number(0),
+        new McapBuffer()
+            .shortNumber(number)
+            .shortNumber(known)
+            .text(topic)
+            .text(form.messageEncoding())
+            .number(0),
         channelRecords);
     return number;
   }

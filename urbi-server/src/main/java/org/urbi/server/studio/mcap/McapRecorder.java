@@ -57,8 +57,11 @@ public final class McapRecorder implements AutoCloseable {
   private final AtomicLong lost = new AtomicLong();
   private final Map<Integer, Topic> topics = new HashMap<>();
 
-  /** The numbers of their channels in the file; a variable without any value needs none. */
-  private final Map<Integer, Integer> channels = new HashMap<>();
+  /** The numbers of the channels in the file; a variable without any value needs none. */
+  private final Map<Integer, Integer> rosChannels = new HashMap<>();
+
+  /** Likewise, of variables that have values for which ROS has no type: a number that is nil. */
+  private final Map<Integer, Integer> jsonChannels = new HashMap<>();
 
   private final Clock clock = new SystemClock();
   private final Thread writer = FailureLog.THREADS.platform("urbi-mcap", this::run);
@@ -223,18 +226,33 @@ public final class McapRecorder implements AutoCloseable {
         waiting.addAndGet(-size(value.value()));
         Topic topic = topics.get(value.variable());
         if (topic != null) {
-          int channel = channels.computeIfAbsent(value.variable(), any -> declare(topic));
-          if (channel >= 0) {
-            file.message(channel, value.time(), topic.message(value.time(), value.value()));
-          }
+          write(value, topic);
         }
       }
       case Event.End end -> {}
     }
   }
 
-  private int declare(Topic topic) {
-    return file.channel(topic.name(), topic.schemaName(), topic.schema());
+  private void write(Event.Value event, Topic topic) throws IOException {
+    RosType type = RosType.of(topic);
+    byte[] ros = type == null ? null : type.message(topic, event.time(), event.value());
+    if (type != null && ros != null) {
+      int channel =
+          rosChannels.computeIfAbsent(
+              event.variable(), any -> file.channel(topic.name(), type.form()));
+      write(channel, event.time(), ros);
+    } else {
+      int channel =
+          jsonChannels.computeIfAbsent(
+              event.variable(), any -> file.channel(topic.name(), Form.json(topic)));
+      write(channel, event.time(), topic.message(event.time(), event.value()));
+    }
+  }
+
+  private void write(int channel, long time, byte[] message) throws IOException {
+    if (channel >= 0) {
+      file.message(channel, time, message);
+    }
   }
 
   /** Writes what is left, and the summary; may wait for the disk. */

@@ -1,0 +1,60 @@
+package org.urbi.server.studio.mcap;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/** A message as ROS 2 writes it (CDR): little-endian, each number at a multiple of its size. */
+final class CdrBuffer {
+  private static final byte[] LITTLE_ENDIAN = {0, 1, 0, 0};
+
+  /** What follows the header, from which multiples are counted. */
+  private final McapBuffer content = new McapBuffer();
+
+  private McapBuffer aligned(int size) {
+    while (content.size() % size != 0) {
+      content.octet(0);
+    }
+    return content;
+  }
+
+  CdrBuffer octet(int value) {
+    content.octet(value);
+    return this;
+  }
+
+  CdrBuffer number(int value) {
+    aligned(Integer.BYTES).number(value);
+    return this;
+  }
+
+  CdrBuffer real(double value) {
+    aligned(Double.BYTES).longNumber(Double.doubleToRawLongBits(value));
+    return this;
+  }
+
+  /** A text in UTF-8; its length counts the zero at its end. */
+  CdrBuffer text(String value) {
+    byte[] bytes = value.getBytes(StandardCharsets.UTF_8);
+    number(bytes.length + 1);
+    content.raw(bytes).octet(0);
+    return this;
+  }
+
+  /** Bytes after their length. */
+  CdrBuffer block(byte[] value) {
+    number(value.length);
+    content.raw(value);
+    return this;
+  }
+
+  /** Numbers after their count. */
+  CdrBuffer reals(List<Double> values) {
+    number(values.size());
+    values.forEach(this::real);
+    return this;
+  }
+
+  byte[] toBytes() {
+    return new McapBuffer().raw(LITTLE_ENDIAN).raw(content.toBytes()).toBytes();
+  }
+}
