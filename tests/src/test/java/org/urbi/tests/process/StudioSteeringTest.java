@@ -1,0 +1,134 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Single jobs in the studio, in a real browser: what they cost, who wakes them, and clicks that
+ * freeze them.
+ */
+class StudioSteeringTest {
+  private static final String PROGRAM =
+      """
+      var Global.n = 0|;
+      var Global.heard = 0|;
+      var Global.tick = Event.new|;
+      busy: loop { n++ },
+      beating: loop { sleep(300ms); tick! },
+      listening: loop { waituntil (tick?); heard++ },
+      """;
+
+  /** JavaScript: the row of the job under a tag. */
+  private static String row(String tag) {
+    return "[...document.querySelectorAll('.row')]"
+        + ".find(row => [...row.querySelectorAll('.chip')].some(chip => chip.textContent === '"
+        + tag
+        + "'))";
+  }
+
+  private static String cell(String tag, String selector) {
+    return "return " + row(tag) + "?.querySelector('" + selector + "').textContent";
+  }
+
+  /** JavaScript that clicks a button of the selected job, once it is there. */
+  private static String click(String button) {
+    return """
+    const button = [...document.querySelectorAll('#job button')].find(each => each.textContent === '%s');
+    button?.click();
+    return Boolean(button);
+    """
+        .formatted(button);
+  }
+
+  @Test
+  void jobIsSeenToCostAndFrozenByAClick(@TempDir Path folder) throws Exception {
+    try (StudioPage page = StudioPage.start(folder, PROGRAM, "")) {
+      Browser browser = page.browser();
+      seesWhatJobsCost(browser);
+      seesWhoWakes(browser);
+      freezes(browser, page.urbi());
+      assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
+    }
+  }
+
+  private static double percent(String text) {
+    return text.matches("[0-9.]+ %") ? Double.parseDouble(text.replace(" %", "")) : 0;
+  }
+
+  /**
+   * The one that never waits has nearly all of the kernel's time; it is the first of the busiest.
+   */
+  private static void seesWhatJobsCost(Browser browser) throws Exception {
+    browser.await("its share", cell("busy", ".share span"), text -> percent(text) > 50);
+    browser.await("that of another", cell("listening", ".share span"), text -> percent(text) < 20);
+    String meter = "return " + row("busy") + ".querySelector('meter').value > 50";
+    assertEquals("true", browser.evaluate(meter));
+    String load =
+        "return [...document.querySelectorAll('header dd')].map(each => each.textContent).join(' ')";
+    assertTrue(browser.evaluate(load).matches(".*\\d %.*"), () -> "no load in the header");
+    String order =
+        "const order = document.querySelector('#order'); order.value = '%s';"
+            + "order.dispatchEvent(new Event('change'));";
+    browser.evaluate(order.formatted("share"));
+    String first = "return " + row("busy") + "?.getAttribute('aria-posinset')";
+    browser.await("the busiest first", first, "1"::equals);
+    browser.evaluate(order.formatted("tree"));
+    browser.await("the lobby first", first, place -> !place.equals("1"));
+  }
+
+  /** Some turn in the lane of the job that waits for the event tells which job has emitted it. */
+  private static void seesWhoWakes(Browser browser) throws Exception {
+    String all =
+        """
+        const place = document.querySelector('#lanes').getBoundingClientRect();
+        const row = %s.getBoundingClientRect();
+        const told = [];
+        for (let x = Math.ceil(place.left); x < place.right; x++) {
+          const there = {clientX: x, clientY: row.top + row.height / 2};
+          document.querySelector('#list').dispatchEvent(new PointerEvent('pointermove', there));
+          told.push(document.querySelector('#turn').textContent);
+        }
+        return told.find(text => text.includes('woken by')) ?? told.at(-1);
+        """
+            .formatted(row("listening"));
+    String waker = browser.evaluate(cell("beating", ".name"));
+    String sleeper = browser.evaluate(cell("listening", ".name"));
+    browser.await(
+        "who has woken it",
+        all,
+        text ->
+            text.matches(
+                sleeper
+                    + ": ran for [0-9.]+ ms, [0-9.]+ s ago, after it had waited for event, woken by "
+                    + waker
+                    + ": .+"));
+    String kind =
+        "document.querySelector('#list').dispatchEvent(new PointerEvent('pointerleave'));";
+    String hint = browser.evaluate(kind + StudioPage.text("#turn"));
+    assertTrue(hint.startsWith("Draw across the lanes"), hint);
+  }
+
+  private static void freezes(Browser browser, JavaProcess urbi) throws Exception {
+    String state = cell("busy", ".state");
+    assertEquals("running", browser.evaluate(state));
+    browser.evaluate(row("busy") + ".click()");
+    browser.await("the button", click("Freeze"), "true"::equals);
+    browser.await("the frozen job", state, "frozen"::equals);
+    browser.await("what it costs then", cell("busy", ".share span"), ""::equals);
+    String facts = StudioPage.text("#job");
+    browser.await("what is told of it", facts, text -> text.contains("isfrozen"));
+    assertEquals("event", browser.evaluate(cell("listening", ".state")));
+    urbi.send("var a = n| var b = heard| waituntil (heard > b)| [a == n];\n");
+    urbi.awaitText("[true]");
+    browser.await("the other button", click("Unfreeze"), "true"::equals);
+    browser.await("that it goes on", state, "running"::equals);
+    urbi.send("waituntil (n > a)| [a < n, 1];\n");
+    urbi.awaitText("[true, 1]");
+    browser.await("what it costs again", cell("busy", ".share span"), text -> percent(text) > 50);
+    browser.await("the first button again", facts, text -> text.contains("Freeze"));
+  }
+}
