@@ -23,6 +23,7 @@ class StudioTest {
       waiting: waituntil (n < 0),
       function Global.rest() { sleep(1h) }|;
       resting: rest(),
+      at (n < 0 && n > -1000000 && n != -12345) echo("a reaction that is longer than a telephone is wide");
       many: for& (10000) sleep(1h),
       """;
 
