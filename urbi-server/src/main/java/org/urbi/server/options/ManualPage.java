@@ -37,7 +37,8 @@ final class ManualPage {
   }
 
   private static String head(String name, String description) {
-    return ".TH \"%s\" 1 \"\" \"urbi %s\" \"Urbi on the JVM\"\n.SH NAME\n%s \\- %s\n"
+    // Lines that are not stretched to the margin: some are one long word.
+    return ".TH \"%s\" 1 \"\" \"urbi %s\" \"Urbi on the JVM\"\n.ad l\n.SH NAME\n%s \\- %s\n"
         .formatted(
             escaped(name.toUpperCase(java.util.Locale.ROOT)),
             Version.number(),
@@ -68,7 +69,16 @@ final class ManualPage {
     return (escaped.startsWith(".") || escaped.startsWith("'") ? "\\&" : "") + escaped + "\n";
   }
 
+  /** Letters beyond ASCII have a name: not every reader of pages is told their encoding. */
   private static String escaped(String text) {
-    return text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq");
+    StringBuilder escaped = new StringBuilder();
+    text.replace("\\", "\\e")
+        .replace("-", "\\-")
+        .replace("'", "\\(aq")
+        .codePoints()
+        .forEach(letter ->
+            escaped.append(
+                letter < 0x80 ? Character.toString(letter) : "\\[u%04X]".formatted(letter)));
+    return escaped.toString();
   }
 }

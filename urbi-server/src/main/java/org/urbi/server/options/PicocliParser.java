@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.urbi.lang.text.StringDistance;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -99,10 +100,23 @@ final class PicocliParser {
       return Optional.of(reading);
     } catch (UnmatchedArgumentException e) {
       String unmatched = e.getUnmatched().getFirst();
-      throw Failure.usage(
-          unmatched.startsWith("-") ? "invalid option: " + unmatched : e.getMessage());
+      throw Failure.usage(unmatched.startsWith("-") ? invalid(unmatched) : e.getMessage());
     } catch (ParameterException e) {
       throw Failure.usage(e.getMessage());
     }
+  }
+
+  /** {@code --prot 5000}, {@code --prot=5000}: what is unknown, and what may have been meant. */
+  private String invalid(String unmatched) {
+    int equals = unmatched.indexOf('=');
+    String name = equals < 0 ? unmatched : unmatched.substring(0, equals);
+    var closest = new StringDistance.ClosestName(name);
+    if (name.startsWith("--")) {
+      spec.optionsMap().keySet().stream()
+          .filter(known -> known.startsWith("--"))
+          .forEach(closest::consider);
+    }
+    String meant = closest.meant();
+    return "invalid option: " + unmatched + (meant == null ? "" : "; did you mean " + meant + "?");
   }
 }

@@ -24,7 +24,7 @@ class GeneratedTest {
             .option("FILE", "A file.", "-o", "--output")
             .option("NUMBER", "A number.", "-n", "--number")
             .optional("TIME", "30s", "A time.", "--wait")
-            .arguments("[FILE]...", "Files.")
+            .arguments("[FILE]...", "Files … (or a word that is longer than a line has room for).")
             .run(
                 new String[] {"--generate=" + what},
                 new PrintStream(out, true, StandardCharsets.UTF_8),
@@ -45,6 +45,8 @@ class GeneratedTest {
         page.contains("\\fB\\-o\\fR\\fIFILE\\fR, \\fB\\-\\-output\\fR=\\fIFILE\\fR\n"), page);
     assertTrue(page.contains("\\fB\\-\\-wait\\fR[=\\fITIME\\fR]\n"), page);
     assertTrue(page.contains("\\fB\\-\\-version\\fR\n"), page);
+    assertTrue(page.contains("\n.ad l\n"), "no stretched lines: a warning of troff");
+    assertTrue(page.contains("Files \\[u2026] (or"), page);
   }
 
   @Test

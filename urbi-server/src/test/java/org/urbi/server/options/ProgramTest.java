@@ -1,6 +1,7 @@
 package org.urbi.server.options;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ProgramTest {
@@ -111,6 +113,34 @@ class ProgramTest {
     assertEquals(
         List.of("tool: invalid option: --bogus", "Try `tool --help' for more information."),
         err.toString(StandardCharsets.UTF_8).lines().toList());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "--numbre, --number",
+    "--numbr=5, --number",
+    "--Quiet, --quiet",
+    "--hlep, --help",
+    "--verison, --version"
+  })
+  void aMistypedOptionIsRecognized(String typed, String meant) {
+    assertEquals(2, run(typed));
+    assertEquals(
+        "tool: invalid option: %s; did you mean %s?".formatted(typed, meant),
+        err.toString(StandardCharsets.UTF_8).lines().findFirst().orElseThrow());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"-x", "--", "--=", "-?", "--n=--number"})
+  void nothingIsGuessedOfTooLittle(String typed) {
+    run(typed);
+    assertFalse(err.toString(StandardCharsets.UTF_8).contains("did you mean"));
+  }
+
+  @Test
+  void nobodyMistypesAnEndlessOption() {
+    assertEquals(2, run("--" + "n".repeat(100_000)));
+    assertFalse(err.toString(StandardCharsets.UTF_8).contains("did you mean"));
   }
 
   @ParameterizedTest
