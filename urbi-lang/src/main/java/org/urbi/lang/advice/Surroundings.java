@@ -161,6 +161,11 @@ final class Surroundings {
     return first;
   }
 
+  /** The text behind a token; that of the whole source for an index before the first. */
+  String behind(int index) {
+    return index < 0 ? source.text() : source.text().substring(span(index).end());
+  }
+
   /** Whether two tokens stand next to each other, without space. */
   boolean touch(int first) {
     return first >= 0

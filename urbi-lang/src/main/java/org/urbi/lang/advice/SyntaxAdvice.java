@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.problem.SyntaxProblem;
 
 /**
  * Guesses what was meant by a text with a syntax error, from the words around it. A wrong guess
@@ -13,6 +14,12 @@ public final class SyntaxAdvice {
   private static final List<Function<Surroundings, @Nullable Advice>> RULES =
       List.of(
           BracketAdvice::unfinished,
+          HabitAdvice::comment,
+          HabitAdvice::type,
+          HabitAdvice::declaration,
+          HabitAdvice::value,
+          HabitAdvice::statement,
+          HabitAdvice::name,
           WordAdvice::characters,
           OperatorAdvice::operator,
           WordAdvice::keyword,
@@ -30,6 +37,10 @@ public final class SyntaxAdvice {
   /** What there is to say about an error. */
   public static Advice of(SyntaxError error) {
     Advice own = Advice.of(error.problem().hint().orElse(null));
+    if (error.problem() == SyntaxProblem.ARGUMENT_WITHOUT_DEFAULT) {
+      // Its place is the whole of the parameters, of which nothing is missing.
+      return own;
+    }
     var around = new Surroundings(error.span().source(), error.span().begin());
     for (Function<Surroundings, @Nullable Advice> rule : RULES) {
       Advice advice = rule.apply(around);

@@ -32,6 +32,9 @@ final class WordAdvice {
           Map.entry("raise", "throw"),
           Map.entry("until", "while (!…)"),
           Map.entry("when", "at (…)"),
+          Map.entry("from", "import"),
+          Map.entry("await", "waituntil (…)"),
+          Map.entry("repeat", "loop"),
           Map.entry("wait", "sleep(…)"),
           Map.entry("is", "=="));
 
@@ -84,7 +87,7 @@ final class WordAdvice {
       if (word.equals("then") && around.is(index - 1, UrbiscriptLexer.RPAREN)) {
         return Advice.of(SyntaxHint.NO_THEN.text());
       }
-      String meant = begins || word.equals("is") ? FOREIGN.get(word) : null;
+      String meant = begins || word.equals("is") || word.equals("until") ? FOREIGN.get(word) : null;
       if (meant != null) {
         return Advice.of(SyntaxHint.NO_WORD.text(word, meant));
       }

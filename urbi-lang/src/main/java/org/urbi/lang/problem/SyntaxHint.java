@@ -15,8 +15,21 @@ public enum SyntaxHint {
   NO_THEN("`if (…) … else …' has no `then'"),
   NO_DO_WHILE("there is no do … while: loop { …; if (!condition) break }"),
 
+  KEYWORD("`{word}' is a word of the language: choose another name"),
+  NO_TYPES("names are declared without such words: var x = 1, function (x) { … }"),
+  CONVERSION("asFloat makes a number of a string: \"12\".asFloat"),
+  PROTOTYPE("a class names its prototype behind a colon: class {name} : Object { … }"),
+  JOINED_NAMES("names are joined by a dot: {owner}.{name}"),
+  IF_FIRST("`if' stands before what it decides: if (…) x = 1 else x = 2"),
+  CAUGHT("what is caught is declared by var: catch (var {name}) { … }"),
+  NO_BREAK("a case ends where the next one begins: it needs no `break'"),
+  INCLUDE("load(\"file.u\") runs another file"),
+  COMMENT("a comment is // to the end of the line, or /* … */"),
+  COMMENTED_OUT("`//' begins a comment, with the `;' that would end the statement"),
+
   // ------------------------------------------------------------------ separators
 
+  LOOP_PARTS("the parts of a loop are separated by `;': for (var i = 0; i < 3; i++)"),
   SEPARATOR("`;' is missing at the end of the statement before it"),
   COMMA("elements and arguments are separated by `,'"),
   NO_SEMICOLON(
@@ -45,6 +58,9 @@ public enum SyntaxHint {
   ASSIGNMENT("a value is given by `='"),
   DIFFERENT("`!=' asks whether two values are different"),
   DICTIONARY("a dictionary is [\"key\" => value]"),
+  FORMAT("values are put into a string by `%': \"%s is %s\" % [name, value]"),
+  CONCATENATION("strings are joined by `+'; a slot stands behind one dot"),
+  UNIT_TOUCHES("a duration is one word: 500ms, 1.5s, 2min"),
   SLICE("a part of a string is text[0, 2], one of a list is list.range(0, 2)"),
   NO_CHOICE("there is no `? :'; if (…) x = 1 else x = 2 chooses"),
   RANGE("there are no ranges with dots: for (var i : 3) counts 0, 1, 2"),
