@@ -55,7 +55,7 @@ public:
     UBindVars(Faulty, v, twice);
     UBindEvent(Faulty, hit);
     UBindFunctions(Faulty, init, add, segfault, aborts, exits, spins, rests, writes, chatters,
-                   crashLater, tick, doom, hasClient);
+                   crashLater, tick, doom, hasClient, process);
     UNotifyChange(v, &Faulty::changed);
     v = 0;
   }
@@ -74,6 +74,12 @@ public:
   bool hasClient()
   {
     return urbi::getDefaultClient();
+  }
+
+  /// The number of the process in which it runs.
+  std::string process()
+  {
+    return std::to_string(getpid());
   }
 
   void segfault()

@@ -50,7 +50,7 @@ class IsolatedModulesTest {
     try (ServerProcess ending = server;
         ConsoleClient client = ending.connect()) {
       assertEquals(List.of(), client.answers(LOAD));
-      ProcessHandle module = moduleProcess();
+      ProcessHandle module = moduleProcess(client);
       ending.close();
       // Not onExit(): its thread is one that all tests of this JVM share, and may block.
       long deadline = System.nanoTime() + TestTimeout.LONG.toNanos();
@@ -75,12 +75,11 @@ class IsolatedModulesTest {
     client.close();
   }
 
-  private static ProcessHandle moduleProcess() {
-    return ProcessHandle.current()
-        .descendants()
-        .filter(each -> each.info().commandLine().orElse("").contains("IsolatedModule"))
-        .findFirst()
-        .orElseThrow(() -> new AssertionError("no process of a module"));
+  /** The process itself knows best: what the system tells of others' command lines is cut. */
+  private static ProcessHandle moduleProcess(ConsoleClient client) throws IOException {
+    String answer = plain(client.answers("Faulty.process;"));
+    long number = Long.parseLong(answer.replaceFirst("\\[] \"(\\d+)\"", "$1"));
+    return ProcessHandle.of(number).orElseThrow(() -> new AssertionError("no process " + number));
   }
 
   /** Lines, without time stamps and places. */
@@ -164,11 +163,12 @@ class IsolatedModulesTest {
   @Test
   void allWhoWaitForADeadProcessAreTold() throws Exception {
     assertEquals("", answer(LOAD));
+    ProcessHandle module = moduleProcess(client);
     client.send(
         "var errors = 0|; var begun = 0|;"
             + "for& (1000) { begun++| try { Faulty.rests(1000) } catch (var e) { errors++ } },\n");
     assertEquals("", answer("waituntil(begun == 1000);"));
-    moduleProcess().destroyForcibly();
+    module.destroyForcibly();
     assertTrue(awaited("has ended").contains("SIGKILL"));
     assertEquals("[] 1000", answer("waituntil(errors == 1000)| errors;"));
   }
