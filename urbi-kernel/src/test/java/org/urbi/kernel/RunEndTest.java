@@ -4,10 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -16,15 +17,22 @@ import urbi.UVar;
 
 /** When a run is over by itself: as soon as nothing can wake it, and no sooner. */
 class RunEndTest {
+  /** More than the end of a program takes after its last word. */
+  private static final int TICKS_TO_REST = 20;
+
   /** The program, and what it has been told. */
   private static final class Program implements Client {
     private final StringBuffer output = new StringBuffer();
+    private final CompletableFuture<Void> ready = new CompletableFuture<>();
     private final CompletableFuture<Void> closed = new CompletableFuture<>();
     private volatile boolean failed;
 
     @Override
     public void output(String bytes) {
       output.append(bytes);
+      if (output.indexOf("ready") >= 0) {
+        ready.complete(null);
+      }
     }
 
     @Override
@@ -68,13 +76,33 @@ class RunEndTest {
     }
   }
 
-  private boolean isOverWithin(long milliseconds) throws InterruptedException, ExecutionException {
-    try {
-      program.closed.get(milliseconds, TimeUnit.MILLISECONDS);
-      return true;
-    } catch (TimeoutException e) {
+  /** Somebody for whom no kernel keeps running. */
+  private static final class Observer implements Client {
+    @Override
+    public void output(String bytes) {}
+
+    @Override
+    public void closed() {}
+
+    @Override
+    public boolean isAwaited() {
       return false;
     }
+  }
+
+  /**
+   * Waits until a program that says "ready" at its end rests, and the kernel has looked whether it
+   * is over: it does so in each tick that runs nothing, as one does that only answers a question.
+   */
+  private boolean isOverAtRest(Kernel kernel) throws InterruptedException, ExecutionException {
+    program.ready.get();
+    Connection observer = kernel.connect(new Observer());
+    Set<Long> ticks = new HashSet<>();
+    while (ticks.size() < TICKS_TO_REST) {
+      ticks.add(observer.sample(List.of()).get().time());
+    }
+    observer.close();
+    return program.closed.isDone();
   }
 
   @Test
@@ -175,8 +203,8 @@ class RunEndTest {
   void whoListensToAComponentKeepsIt() throws Exception {
     try (Kernel kernel = kernel(false)) {
       kernel.start(Sensor.class);
-      run(kernel, "var s = Sensor.new()|; at (s.value > 5) shutdown(3);");
-      assertFalse(isOverWithin(300));
+      run(kernel, "var s = Sensor.new()|; at (s.value > 5) shutdown(3); echo(\"ready\");");
+      assertFalse(isOverAtRest(kernel));
       Sensor.last.value.setValue(6);
       assertEquals(3, kernel.awaitTermination());
     }
@@ -186,8 +214,8 @@ class RunEndTest {
   void aComponentToWhichNobodyListensDoesNot() throws Exception {
     try (Kernel kernel = kernel(false)) {
       kernel.start(Sensor.class);
-      run(kernel, "var s = Sensor.new()|;");
-      program.closed.get();
+      run(kernel, "var s = Sensor.new()|; echo(\"ready\");");
+      assertTrue(isOverAtRest(kernel));
     }
   }
 
@@ -203,8 +231,8 @@ class RunEndTest {
             public void closed() {}
           };
       Connection connection = kernel.connect(other);
-      run(kernel, "echo(1);");
-      assertFalse(isOverWithin(300));
+      run(kernel, "echo(\"ready\");");
+      assertFalse(isOverAtRest(kernel));
       connection.close();
       program.closed.get();
     }
@@ -220,10 +248,7 @@ class RunEndTest {
   void whatComesFromOutsideKeepsIt(String source) throws Exception {
     try (Kernel kernel = kernel(false)) {
       run(kernel, source + " echo(\"ready\");");
-      while (!program.text().contains("ready")) {
-        assertFalse(isOverWithin(10), program::text);
-      }
-      assertFalse(isOverWithin(100), program::text);
+      assertFalse(isOverAtRest(kernel), program::text);
     }
   }
 }
