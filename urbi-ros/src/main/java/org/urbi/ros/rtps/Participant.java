@@ -49,21 +49,29 @@ public final class Participant implements AutoCloseable {
       GuidPrefix prefix,
       UnaryOperator<DatagramSink> network)
       throws IOException {
-    Participant participant = new Participant(options, listener, prefix, network);
-    participant.start();
-    return participant;
+    if (options.userData().length > LONGEST_USER_DATA)
+      throw new IllegalArgumentException("user data too long");
+    UdpTransport transport =
+        new UdpTransport(options.domain(), options.address(), listener::trouble);
+    try {
+      Participant participant = new Participant(options, listener, prefix, transport, network);
+      participant.start();
+      return participant;
+    } catch (IOException | RuntimeException | Error e) {
+      transport.close();
+      throw e;
+    }
   }
 
   private Participant(
       ParticipantOptions options,
       ParticipantListener listener,
       GuidPrefix prefix,
+      UdpTransport transport,
       UnaryOperator<DatagramSink> network)
       throws IOException {
-    if (options.userData().length > LONGEST_USER_DATA)
-      throw new IllegalArgumentException("user data too long");
     this.listener = listener;
-    transport = new UdpTransport(options.domain(), options.address(), this::trouble);
+    this.transport = transport;
     reactor = new Reactor("urbi-ros-rtps-timers", this::trouble);
     writerEnds = reactor.newCondition();
     environment = new Environment(prefix, options, reactor, network.apply(transport));
@@ -93,13 +101,19 @@ public final class Participant implements AutoCloseable {
   private void start() {
     Thread receiver = transport.receiving("urbi-ros-rtps-receiver", this::received);
     reactor.adopt(receiver);
-    reactor.start();
-    receiver.start();
-    reactor.lock();
     try {
-      discovery.announce();
-    } finally {
-      reactor.unlock();
+      reactor.start();
+      receiver.start();
+      reactor.lock();
+      try {
+        discovery.announce();
+      } finally {
+        reactor.unlock();
+      }
+    } catch (RuntimeException | Error e) {
+      // No thread is left, for one: the other must not stay alone.
+      reactor.close();
+      throw e;
     }
   }
 

@@ -28,6 +28,11 @@ final class UdpTransport implements DatagramSink {
     void received(ByteBuffer datagram, InetSocketAddress from);
   }
 
+  /** Where sockets come from. */
+  interface Opener {
+    DatagramChannel open() throws IOException;
+  }
+
   private record Pair(DatagramChannel discovery, DatagramChannel user) {}
 
   /** Those that a participant without multicast looks for: as many as other implementations do. */
@@ -45,6 +50,8 @@ final class UdpTransport implements DatagramSink {
   private final InetAddress address;
   private final NetworkInterface network;
   private final BiConsumer<String, Throwable> trouble;
+  private final Opener opener;
+  private final List<Closeable> opened = new ArrayList<>();
   private final Selector selector;
   private final DatagramChannel discovery;
   private final DatagramChannel user;
@@ -58,28 +65,34 @@ final class UdpTransport implements DatagramSink {
    */
   UdpTransport(int domain, InetAddress address, BiConsumer<String, Throwable> trouble)
       throws IOException {
+    this(domain, address, trouble, () -> DatagramChannel.open(StandardProtocolFamily.INET));
+  }
+
+  /** With sockets from elsewhere. */
+  UdpTransport(
+      int domain, InetAddress address, BiConsumer<String, Throwable> trouble, Opener opener)
+      throws IOException {
     this.domain = domain;
     this.address = address;
     this.trouble = trouble;
+    this.opener = opener;
     NetworkInterface found = NetworkInterface.getByInetAddress(address);
     if (found == null)
       throw new IOException("no network interface has the address " + address.getHostAddress());
     network = found;
     multicastAddress = new InetSocketAddress(GROUP, port(domain, 0));
     selector = Selector.open();
-    List<Closeable> opened = new ArrayList<>(List.of(selector));
+    opened.add(selector);
     try {
       Pair pair = pair();
-      opened.addAll(List.of(pair.discovery, pair.user));
       discovery = pair.discovery;
       user = pair.user;
       multicast = joined();
-      opened.add(multicast);
       for (DatagramChannel channel : List.of(discovery, user, multicast))
         channel.register(selector, SelectionKey.OP_READ);
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException | Error e) {
       // Of the last files that a process may open, none is kept for nothing.
-      for (Closeable each : opened) each.close();
+      close();
       throw e;
     }
   }
@@ -89,15 +102,9 @@ final class UdpTransport implements DatagramSink {
     for (int index = 0; index <= LAST_INDEX; index++) {
       DatagramChannel first = bound(discoveryPort(domain, index));
       if (first == null) continue;
-      DatagramChannel second;
-      try {
-        second = bound(discoveryPort(domain, index) + 1);
-      } catch (IOException e) {
-        first.close();
-        throw e;
-      }
+      DatagramChannel second = bound(discoveryPort(domain, index) + 1);
       if (second != null) return new Pair(first, second);
-      first.close();
+      forsake(first);
     }
     throw new IOException("no port is left for a participant of domain " + domain);
   }
@@ -111,7 +118,8 @@ final class UdpTransport implements DatagramSink {
   }
 
   private DatagramChannel open() throws IOException {
-    DatagramChannel channel = DatagramChannel.open(StandardProtocolFamily.INET);
+    DatagramChannel channel = opener.open();
+    opened.add(channel);
     channel.configureBlocking(false);
     channel.setOption(StandardSocketOptions.SO_RCVBUF, BUFFER);
     channel.setOption(StandardSocketOptions.SO_SNDBUF, BUFFER);
@@ -124,9 +132,14 @@ final class UdpTransport implements DatagramSink {
       channel.setOption(StandardSocketOptions.IP_MULTICAST_IF, network);
       return channel.bind(new InetSocketAddress(address, port));
     } catch (BindException e) {
-      channel.close();
+      forsake(channel);
       return null;
     }
+  }
+
+  private void forsake(DatagramChannel channel) throws IOException {
+    opened.remove(channel);
+    channel.close();
   }
 
   private DatagramChannel joined() throws IOException {
@@ -231,10 +244,10 @@ final class UdpTransport implements DatagramSink {
 
   /** Closes the sockets; its thread ends. */
   void close() {
-    for (AutoCloseable each : List.of(selector, multicast, discovery, user)) {
+    for (Closeable each : opened) {
       try {
         each.close();
-      } catch (Exception e) {
+      } catch (IOException e) {
         trouble.accept("cannot close", e);
       }
     }
