@@ -1,5 +1,6 @@
 package org.urbi.kernel;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -12,6 +13,7 @@ import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -31,6 +33,8 @@ final class ErrorAdvice {
           Map.entry("puts", "echo(value)"),
           Map.entry("console", "echo(value)"),
           Map.entry("cout", "echo(value)"),
+          Map.entry("pop", "list.removeBack"),
+          Map.entry("pow", "base ** exponent"),
           Map.entry("None", "nil"),
           Map.entry("NULL", "nil"),
           Map.entry("undefined", "nil"),
@@ -61,7 +65,7 @@ final class ErrorAdvice {
   private static final Pattern ASSIGNED = Pattern.compile("\\s*=(?![=>])");
 
   /** {@code for (x in list)}. */
-  private static final Pattern LOOP = Pattern.compile("\\bfor\\s*\\(\\s*$");
+  private static final Pattern LOOP = Pattern.compile("\\bfor(each)?\\s*\\(\\s*$");
 
   private static final Pattern CATCH = Pattern.compile("\\bcatch\\s*\\(\\s*$");
 
@@ -69,6 +73,17 @@ final class ErrorAdvice {
   private static final Pattern LOAD = Pattern.compile("\\b(load\\w*|require(File)?)\\s*\\(\\s*$");
 
   private static final Pattern MADE = Pattern.compile("\\b(\\w+)\\.new\\b");
+
+  /** {@code this.x}, of which the last is missing. */
+  private static final Pattern SLOT = Pattern.compile("\\w+(\\.\\w+)+");
+
+  /** {@code Math.sin(…)}. */
+  private static final Pattern MATH = Pattern.compile("Math\\s*\\.\\s*\\w+\\b.*", Pattern.DOTALL);
+
+  private static final Pattern CALL = Pattern.compile("\\s*\\(");
+
+  /** What is before an argument. */
+  private static final Pattern ARGUMENT = Pattern.compile("[(,]\\s*$");
 
   private static final Pattern SUFFIX = Pattern.compile("\\.u\\b");
 
@@ -103,7 +118,7 @@ final class ErrorAdvice {
     Errors errors = interpreter.errors();
     UrbiObject value = thrown.value();
     if (errors.is(value, ProblemKind.PROPERTY_LOOKUP)) {
-      return null;
+      return follows(CALL) ? Hint.NOT_AN_ARROW.text(slotOfProperty()) : null;
     } else if (errors.is(value, ProblemKind.LOOKUP)) {
       return lookup(text("name"), slot("object"));
     } else if (errors.is(value, ProblemKind.ARITY)) {
@@ -131,19 +146,23 @@ final class ErrorAdvice {
     } else if (isOfSession(name, asked)) {
       return Hint.OF_SESSION.text(name, name);
     } else if (follows(ASSIGNED)) {
-      return Hint.UNDECLARED.text(name);
+      return isWhole(SLOT) ? Hint.UNDECLARED_SLOT.text(spanText()) : Hint.UNDECLARED.text(name);
     } else if (follows(LOOPED) && precedes(LOOP)) {
       return Hint.FOR_IN.text(name);
     } else if (precedes(CATCH)) {
       return Hint.CAUGHT.text(name);
     } else if (precedes(LOAD) && follows(SUFFIX)) {
       return Hint.FILE_NAME.text();
-    } else if (thrown.span() != null && thrown.span().text().startsWith("'")) {
+    } else if (begins("'")) {
       return Hint.SINGLE_QUOTES.text();
     } else if (asked instanceof UrbiLobby) {
       Span declared = lobby.failures().localOf(name);
       if (declared != null) {
         return Hint.LOCAL_NAME.text(name, declared.location());
+      }
+      String lower = name.toLowerCase(Locale.ROOT);
+      if (!lower.equals(name) && slot(lobby, lower) != null) {
+        return Hint.LETTER_CASE.text(lower);
       }
       return !name.isEmpty() && Character.isUpperCase(name.charAt(0))
           ? Hint.UNKNOWN_CLASS.text(name)
@@ -156,7 +175,25 @@ final class ErrorAdvice {
 
   private @Nullable String askedOf(String name, UrbiObject asked) {
     String type = typeName(asked);
+    if (asked instanceof UrbiDictionary dictionary && hasKey(dictionary, name)) {
+      return Hint.DICTIONARY_KEY.text(name);
+    } else if (name.equals("()")) {
+      return Hint.NAMELESS_CALL.text();
+    } else if (asked.isA(interpreter.world().prototype("Enumeration"))) {
+      return Hint.ENUMERATED.text(name, type, type);
+    }
     return type.isEmpty() ? null : Hint.ASKED_OF.text(name, Errors.article(type), type);
+  }
+
+  private static boolean hasKey(UrbiDictionary dictionary, String name) {
+    return dictionary.entries().keySet().stream()
+        .anyMatch(key -> key.value() instanceof UrbiString text && text.value().equals(name));
+  }
+
+  /** What follows the arrow in {@code o->f}. */
+  private String slotOfProperty() {
+    String text = spanText();
+    return text.substring(text.lastIndexOf('>') + 1).strip();
   }
 
   /** Whether the session has a slot of which code has asked another {@code this}. */
@@ -169,7 +206,17 @@ final class ErrorAdvice {
   }
 
   private boolean begins(String text) {
-    return thrown.span() != null && thrown.span().text().startsWith(text);
+    return spanText().startsWith(text);
+  }
+
+  /** The code at the place; empty where that is not known. */
+  private String spanText() {
+    return thrown.span() == null ? "" : thrown.span().text();
+  }
+
+  /** Whether the text at the place is so. */
+  private boolean isWhole(Pattern pattern) {
+    return pattern.matcher(spanText()).matches();
   }
 
   /** Whether the text behind the place begins so. */
@@ -208,6 +255,16 @@ final class ErrorAdvice {
     if (routine.equals("new")) {
       return init();
     }
+    if (routine.equals("sort")) {
+      return Hint.COMPARES.text();
+    }
+    if (isWhole(MATH) && slot("maximum") instanceof UrbiFloat most) {
+      int count = (int) most.value();
+      return Hint.NUMBERS.text(routine, count, count == 1 ? "" : "s");
+    }
+    if (isWhole(Pattern.compile(Pattern.quote(routine))) && precedes(ARGUMENT)) {
+      return Hint.CALLED_BY_NAME.text(routine);
+    }
     if (slot("maximum") instanceof UrbiFloat most && most.value() == 0) {
       return Hint.NO_ARGUMENTS.text(routine);
     }
@@ -218,11 +275,13 @@ final class ErrorAdvice {
 
   /** What a class of the session that was to be cloned wants to know. */
   private @Nullable String init() {
-    Matcher made = MADE.matcher(thrown.span() == null ? "" : thrown.span().text());
+    Matcher made = MADE.matcher(spanText());
     UrbiObject cloned = made.find() ? slot(lobby, made.group(1)) : null;
     return cloned != null && slot(cloned, "init") instanceof Function init
         ? Hint.INIT.text(made.group(1), init.parameters())
-        : null;
+        : cloned != null && slot("maximum") instanceof UrbiFloat most && most.value() == 0
+            ? Hint.NO_INIT.text(made.group(1))
+            : null;
   }
 
   private @Nullable String argument(@Nullable UrbiObject effective, @Nullable UrbiObject expected) {

@@ -131,7 +131,10 @@ public enum Problem {
       "  The error occurred while parsing the regular expression: '{before}>>>HERE>>>{after}'."),
   FORMAT_WITHOUT_PERCENT(PRIMITIVE, "format does not begin with `%': {text}"),
   FORMAT_WITHOUT_CONVERSION(PRIMITIVE, "format without conversion: {text}"),
-  FORMAT_CONVERSION(PRIMITIVE, "format: \"{character}\" is not a valid conversion type character"),
+  FORMAT_CONVERSION(
+      PRIMITIVE,
+      "format: \"{character}\" is not a valid conversion type character",
+      "%s shows any value, %d an integer, %f and %.2f a number, %% a percent sign"),
   FORMAT_WITHOUT_END(PRIMITIVE, "format without final `|': {text}"),
   FORMAT_NUMBER(PRIMITIVE, "number too large: {digits}"),
   TEXT_AFTER_FORMAT(PRIMITIVE, "unexpected text after the format: {text}"),
@@ -141,7 +144,10 @@ public enum Problem {
       PRIMITIVE,
       "too many arguments for format",
       "each element wants a %s of its own: \"%s %s\" % [1, 2]"),
-  NOT_A_DATE(PRIMITIVE, "cannot convert to date: {text}"),
+  NOT_A_DATE(
+      PRIMITIVE,
+      "cannot convert to date: {text}",
+      "dates are written as 2026-03-31 or 2026-03-31 12:30:00; Date.now is this moment"),
   YEAR(PRIMITIVE, "Year is out of valid range: 1400..9999"),
   PART_OF_DATE(PRIMITIVE, "{field} is out of range {range}"),
   PART_OF_DATE_NOT_INTEGER(PRIMITIVE, "expected integer, got {value}"),

@@ -3,13 +3,15 @@ package org.urbi.kernel.lobby;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Hint;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.lang.advice.Note;
 import org.urbi.lang.ast.Ast;
 
 /**
- * Code that would silently wait or be left out, for a tag is frozen or blocked, as far as a look at
- * the slots of the lobby tells: no code runs for that.
+ * Code that would silently wait or be left out, for a tag is frozen or blocked, or would not wait
+ * for an event, as far as a look at the slots of the lobby tells: no code runs for that.
  */
 final class SuspectTags {
   private SuspectTags() {}
@@ -18,6 +20,11 @@ final class SuspectTags {
   static List<Note> in(Ast statement, UrbiLobby lobby) {
     if (statement instanceof Ast.Tagged tagged) {
       return entered(tagged.tag(), lobby);
+    }
+    if (statement instanceof Ast.At at) {
+      return awaited(at.condition(), lobby);
+    } else if (statement instanceof Ast.WaitUntil wait) {
+      return awaited(wait.condition(), lobby);
     }
     return statement instanceof Ast.Message message && message.name().equals("stop")
         ? stopped(message.target(), lobby)
@@ -48,13 +55,28 @@ final class SuspectTags {
         : List.of();
   }
 
+  /** {@code at (e) …}, of an event. */
+  private static List<Note> awaited(Ast.Condition condition, UrbiLobby lobby) {
+    return condition instanceof Ast.WhenTrue when
+            && value(when.expression(), lobby) instanceof UrbiEvent
+        ? List.of(
+            new Note(
+                when.expression().span(),
+                Hint.EVENT_CONDITION.text(when.expression().span().text())))
+        : List.of();
+  }
+
   /** The tag that a plain name stands for, or null. */
   private static @Nullable UrbiTag named(Ast expression, UrbiLobby lobby) {
+    return value(expression, lobby) instanceof UrbiTag tag ? tag : null;
+  }
+
+  /** What a plain name stands for, or null. */
+  private static @Nullable UrbiObject value(Ast expression, UrbiLobby lobby) {
     return expression instanceof Ast.Message name
             && name.target() == null
             && name.arguments() == null
-            && lobby.lookup(lobby.world().symbol(name.name())) instanceof UrbiTag tag
-        ? tag
+        ? lobby.lookup(lobby.world().symbol(name.name()))
         : null;
   }
 }

@@ -89,7 +89,13 @@ public final class Conditionals {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject value = left.execute(frame);
-      return Truth.of(frame, value) == and ? right.execute(frame) : value;
+      boolean holds;
+      try {
+        holds = Truth.of(frame, value);
+      } catch (UrbiException e) {
+        throw frame.located(e, left.span());
+      }
+      return holds == and ? right.execute(frame) : value;
     }
 
     @Override

@@ -93,8 +93,9 @@ public final class StringDistance {
 
   /**
    * Finds the name that was probably meant: of the most similar candidates, with at most two typing
-   * errors, the last in alphabetical order (names with a dollar sign come after all others). Case
-   * is ignored, unless names differ in nothing else.
+   * errors, one that is at hand, then one that goes on as the name does or stops before its end,
+   * then the last in alphabetical order (names with a dollar sign come after all others). Case is
+   * ignored, unless names differ in nothing else.
    */
   public static final class ClosestName {
     private final String name;
@@ -103,6 +104,7 @@ public final class StringDistance {
     private final boolean open;
     private boolean known;
     private int least = MOST_EDITS + 1;
+    private int rank;
     private @Nullable String meant;
 
     public ClosestName(String name) {
@@ -114,6 +116,15 @@ public final class StringDistance {
 
     /** Adds a candidate; the order does not matter. */
     public void consider(String candidate) {
+      consider(candidate, false);
+    }
+
+    /**
+     * Adds a candidate.
+     *
+     * @param atHand whether it is meant rather than another one that is as similar
+     */
+    public void consider(String candidate, boolean atHand) {
       if (!open || known) {
         return;
       }
@@ -132,10 +143,20 @@ public final class StringDistance {
         return;
       }
       int edits = Math.max(1, distance(lower, lower(candidate), () -> {}));
-      if (edits <= most && (edits < least || edits == least && isAfter(candidate, meant))) {
+      int better = (atHand ? 2 : 0) + (differsAtEnd(lower(candidate)) ? 1 : 0);
+      if (edits <= most && (edits < least || edits == least && isBetter(candidate, better))) {
         meant = candidate;
         least = edits;
+        rank = better;
       }
+    }
+
+    private boolean differsAtEnd(String candidate) {
+      return candidate.startsWith(lower) || lower.startsWith(candidate);
+    }
+
+    private boolean isBetter(String candidate, int better) {
+      return better == rank ? isAfter(candidate, meant) : better > rank;
     }
 
     private static boolean isAfter(String one, @Nullable String other) {

@@ -14,6 +14,20 @@ class StringDistanceTest {
   /** Few letters, so that many words are similar; the last two share a bit with the first. */
   private static final String LETTERS = "abcAB$\u00e9!\u0121";
 
+  @Test
+  void ofWordsThatAreAsSimilarTheOneThatGoesOnOrIsAtHandIsMeant() {
+    ClosestName atTheEnd = new ClosestName("vall");
+    atTheEnd.consider("val");
+    atTheEnd.consider("wall");
+    assertEquals("val", atTheEnd.meant());
+    ClosestName atHand = new ClosestName("sped");
+    atHand.consider("shed", true);
+    atHand.consider("speed");
+    assertEquals("shed", atHand.meant());
+    atHand.consider("Sped");
+    assertEquals("shed", atHand.meant());
+  }
+
   private static String word(SplittableRandom random) {
     StringBuilder word = new StringBuilder();
     for (int left = random.nextInt(8); left > 0; left--) {

@@ -10,6 +10,7 @@ import org.urbi.kernel.library.exception.ExceptionTable.Shown;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.object.ObjectType;
 import org.urbi.kernel.library.value.OwnSlots;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -273,6 +274,7 @@ public final class ExceptionTypes {
       return null;
     }
     boolean local = self.lookup(self.world().symbol("local")) != null;
+    boolean session = object instanceof UrbiLobby;
     StringDistance.ClosestName guess = new StringDistance.ClosestName(name);
     for (UrbiObject holder : local ? List.of(object) : ObjectType.allProtos(object)) {
       for (Symbol slot : holder.localSlotNames()) {
@@ -280,7 +282,7 @@ public final class ExceptionTypes {
         // which
         // had no help.
         if (slot.name().indexOf('$') < 0 && !slot.name().equals("help")) {
-          guess.consider(slot.name());
+          guess.consider(slot.name(), holder == object && !session);
         }
       }
     }
