@@ -7,6 +7,7 @@ import org.urbi.sim.SimulationException;
 import org.urbi.sim.world.Drive;
 import org.urbi.sim.world.SimulatedWorld;
 import urbi.UBlendType;
+import urbi.UDataType;
 import urbi.UVar;
 
 /**
@@ -54,7 +55,12 @@ abstract class SimMotor extends SimDevice {
   /** A new target. */
   public final void targetChanged(UVar target) {
     catchUp();
-    drive().setTarget(target.in());
+    double wanted = target.in();
+    if (Double.isNaN(wanted) && target.type() != UDataType.DATA_DOUBLE) {
+      throw new SimulationException(
+          drive().name() + ": target: a number expected, not " + target.val());
+    }
+    drive().setTarget(wanted);
   }
 
   /** Another share of its force. */

@@ -119,6 +119,10 @@ class DevicesTest {
     kernel.eval("yaw.val = nan | sleep(1s)");
     complained("neck.yaw: target: not a finite number: NaN");
     assertEquals(limit, number("yaw.val"), 1e-2, "as before");
+    kernel.eval("yaw.val = \"fast\" | sleep(100ms)");
+    complained("neck.yaw: target: a number expected, not \"fast\"");
+    kernel.eval("yaw.val = [1] | sleep(100ms)");
+    complained("neck.yaw: target: a number expected, not [1]");
     kernel.eval("yaw.val = inf | sleep(100ms)");
     assertEquals(limit, number("yaw.val"), 1e-2, "as far as it goes");
     kernel.eval("wheelL.val = nan | sleep(100ms)");
