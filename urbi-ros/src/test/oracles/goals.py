@@ -47,6 +47,10 @@ if 'goals' in sys.argv:
         if order == 1000:
             going.wait()
             print('told', told[0], flush=True)
+            # Feedback and status come on ways of their own. Once it is asked to cancel, actionlib takes a goal
+            # for lost that is not yet in the status it hears next, which may have been told before the goal came.
+            while handle.get_comm_state() != actionlib.CommState.ACTIVE:
+                time.sleep(0.005)
             handle.cancel()
         while handle.get_comm_state() != actionlib.CommState.DONE:
             time.sleep(0.005)

@@ -48,6 +48,17 @@ public final class Lines {
     return line;
   }
 
+  /** The next one is that; if it is another, the failure has all that the program printed. */
+  public void says(String expected) throws InterruptedException {
+    String line = next();
+    if (!line.equals(expected)) {
+      // What a program says when it fails has many lines, and then it ends.
+      endWithin(2, TimeUnit.SECONDS);
+      lines.drainTo(seen);
+      throw new AssertionError("expected: " + expected + "; it said: " + String.join("\n", seen));
+    }
+  }
+
   /** Waits for a line that begins so. */
   public void await(String beginning) throws InterruptedException {
     while (!next().startsWith(beginning)) {}

@@ -191,11 +191,11 @@ class OneActionsTest {
   void goalsThatOthersSend() throws Exception {
     ActionServer server = node.actions().serve("/ours", type(), handler);
     startPeer("goals");
-    assertEquals("goal 3 state 3 result 8", peer.line());
-    assertEquals("goal -1 state 5 result 0", peer.line());
-    assertEquals("goal 0 state 4 result 5", peer.line());
-    assertEquals("told 1", peer.line());
-    assertEquals("goal 1000 state 2 result 7", peer.line());
+    peer.says("goal 3 state 3 result 8");
+    peer.says("goal -1 state 5 result 0");
+    peer.says("goal 0 state 4 result 5");
+    peer.says("told 1");
+    peer.says("goal 1000 state 2 result 7");
     server.close();
   }
 

@@ -56,9 +56,9 @@ public final class RosProcess implements AutoCloseable {
     return start(port, logs, "rosmaster", "--core", "-p", String.valueOf(port));
   }
 
-  /** The next line that it prints. */
-  String line() throws InterruptedException {
-    return output.next();
+  /** Its next line is that one; if it is another, the failure has all that it printed. */
+  void says(String expected) throws InterruptedException {
+    output.says(expected);
   }
 
   /** Waits for a line that begins so. */
