@@ -16,6 +16,7 @@ public final class PendingAnswer implements Receiver {
   private final int number;
   private @Nullable Outcome outcome;
   private boolean abandoned;
+  private Runnable beforeReplayed = () -> {};
 
   /**
    * Begins to wait; in the job.
@@ -35,8 +36,16 @@ public final class PendingAnswer implements Receiver {
     scheduler.inbox().post(new Message.Answer(number, what));
   }
 
+  /** Has something done by the kernel thread before a recorded result is delivered. */
+  public void beforeReplayed(Runnable action) {
+    beforeReplayed = action;
+  }
+
   @Override
   public void take(Message message) {
+    if (scheduler.journal().isReplay()) {
+      beforeReplayed.run();
+    }
     arrived(((Message.Answer) message).outcome());
   }
 

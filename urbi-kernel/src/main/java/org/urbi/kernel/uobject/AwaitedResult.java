@@ -2,6 +2,8 @@ package org.urbi.kernel.uobject;
 
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
@@ -11,6 +13,9 @@ import org.urbi.kernel.message.Outcome;
 
 /** A result that a job waits for while others run. */
 final class AwaitedResult {
+  /** Seconds that a replay gives a component for what it had done in the recorded run. */
+  private static final int PATIENCE = 2;
+
   private final Scheduler scheduler;
   private final PendingAnswer answer;
   private boolean waiting;
@@ -31,10 +36,26 @@ final class AwaitedResult {
   @Nullable Object await(CompletionStage<?> stage) {
     stage.whenComplete(this::complete);
     waiting = true;
+    answer.beforeReplayed(() -> catchUp(stage));
     return switch (answer.await()) {
       case Outcome.Value value -> own == null ? value.data().value() : own;
       case Outcome.Failure failure -> throw new CompletionException(failure.thrown());
     };
+  }
+
+  /**
+   * Lets the component do its part. The recorded result is there at once, but what the component
+   * did before it gave one, and later calls rely on, it does anew.
+   */
+  private static void catchUp(CompletionStage<?> stage) {
+    CountDownLatch done = new CountDownLatch(1);
+    stage.whenComplete((result, thrown) -> done.countDown());
+    try {
+      // Who answered then may be away now; the recorded result counts in any case.
+      done.await(PATIENCE, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   /**

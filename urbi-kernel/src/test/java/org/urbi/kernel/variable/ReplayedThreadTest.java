@@ -29,13 +29,14 @@ class ReplayedThreadTest {
   public static final class Sensor extends UObject {
     private final UVar value = new UVar();
     private final UVar owned = new UVar();
+    private volatile String state = "closed";
 
     public Sensor(String name) {
       super(name);
       UBindVar(value, "value");
       UBindVar(owned, "owned");
       UOwned(owned);
-      UBindFunctions("begin", "later");
+      UBindFunctions("begin", "later", "open", "state");
       UBindThreadedFunction("measure", LockMode.LOCK_NONE);
       UBindThreadedFunction("measureLater", LockMode.LOCK_NONE);
     }
@@ -50,6 +51,16 @@ class ReplayedThreadTest {
 
     public CompletableFuture<UVar> later() {
       return CompletableFuture.supplyAsync(() -> value);
+    }
+
+    /** Takes longer than a replay does. */
+    public CompletableFuture<Void> open() {
+      return CompletableFuture.runAsync(
+          () -> state = "open", CompletableFuture.delayedExecutor(100, TimeUnit.MILLISECONDS));
+    }
+
+    public String state() {
+      return state;
     }
 
     public void begin() {
@@ -122,6 +133,20 @@ class ReplayedThreadTest {
                       + " echo(Sensor.later().val)");
             });
     assertTrue(shown.matches("(?s).*\\[0\\.\\d+].*0\\.\\d+\n.*\\*\\*\\* 7\n"), shown);
+    assertEquals(shown, ReplayedRun.replayed(run));
+  }
+
+  @Test
+  void whatAComponentDoesBeforeItAnswersIsDoneForTheNextCall() {
+    Path run = folder.resolve("run");
+    String shown =
+        ReplayedRun.recorded(
+            run,
+            kernel -> {
+              kernel.start(Sensor.class);
+              kernel.eval("Sensor.open; echo(Sensor.state)");
+            });
+    assertTrue(shown.endsWith("*** open\n"), shown);
     assertEquals(shown, ReplayedRun.replayed(run));
   }
 }
