@@ -260,4 +260,34 @@ class AtConditionTest {
         [00001500] false
         """);
   }
+
+  @Test
+  void whatChangesDuringTheFirstEvaluationIsSeen() {
+    ConsoleTranscript.check(
+        """
+        var x = 0|;
+        { at ({ var seen = x| sleep(1s)| seen == 5 }) echo("five") },
+        sleep(500ms);
+        x = 5|;
+        sleep(2s);
+        [00002000] *** five
+        """);
+  }
+
+  @Test
+  void oneThatHasCeasedToHoldDoesNotCeaseAgainWhenStopped() {
+    ConsoleTranscript.check(
+        """
+        var t = Tag.new("t")|;
+        var x = 0|;
+        t: at (2 < x) echo("high") onleave echo("low");
+        x = 3|;
+        [00000000] *** high
+        x = 0|;
+        [00000000] *** low
+        sleep(1s);
+        t.stop;
+        sleep(1s);
+        """);
+  }
 }

@@ -396,4 +396,48 @@ class AtEventTest {
         sleep(1s);
         """);
   }
+
+  @Test
+  void anEmissionThatLastsReachesWhoListensLater() {
+    ConsoleTranscript.check(
+        """
+        var e = Event.new|;
+        var h = e.trigger(5)|;
+        sleep(1s);
+        at (e?(var x)) echo("in " + x) onleave echo("out " + x);
+        [00001000] *** in 5
+        sleep(1s);
+        h.stop;
+        [00002000] *** out 5
+        sleep(1s);
+        """);
+  }
+
+  @Test
+  void aHandlerThatTheOneBeforeStopsIsNotCalled() {
+    ConsoleTranscript.check(
+        """
+        var t = Tag.new("t")|;
+        var e = Event.new|;
+        at sync (e?) t.stop;
+        t: at sync (e?) echo("stopped");
+        at sync (e?) echo("not stopped");
+        var h = e.trigger|;
+        [00000000] *** not stopped
+        h.stop;
+        """);
+  }
+
+  @Test
+  void callsThatHaveEndedAreNotNested() {
+    ConsoleTranscript.check(
+        """
+        var n = 0|;
+        var e = Event.new|;
+        at sync (e?) n++;
+        for| (20000) e!;
+        n;
+        [00000000] 20000
+        """);
+  }
 }

@@ -206,4 +206,53 @@ class SubscriptionTest {
         sleep(1ms);
         """);
   }
+
+  @Test
+  void oneThatIsOffSaysSo() {
+    ConsoleTranscript.check(
+        """
+        var e = Event.new|;
+        at (e?) echo("heard");
+        var s = e.subscribers[0]|;
+        s.enabled = false|;
+        s.enabled;
+        [00000000] false
+        """);
+  }
+
+  @Test
+  void theLeastTimeIsThatSinceTheLastCall() {
+    ConsoleTranscript.check(
+        """
+        var e = Event.new|;
+        at (e?(var x)) echo(x);
+        var s = e.subscribers[0]|;
+        s.minInterval = 1s|;
+        sleep(10s);
+        e!(1);
+        [00010000] *** 1
+        sleep(500ms);
+        e!(2);
+        sleep(600ms);
+        e!(3);
+        [00011100] *** 3
+        sleep(1ms);
+        """);
+  }
+
+  @Test
+  void functionsAreCalledByJobsOfTheirOwnUnlessTheEmissionWaits() {
+    ConsoleTranscript.check(
+        """
+        var e = Event.new|;
+        e.onEvent(closure (ev, args) { true }, closure (ev, args, v) { sleep(1s); echo("heard " + args[0]) }, closure (ev, args, v) {})|;
+        e!(1); echo("goes on");
+        [00000000] *** goes on
+        sleep(2s);
+        [00001000] *** heard 1
+        e.syncEmit(2); echo("has waited");
+        [00003000] *** heard 2
+        [00003000] *** has waited
+        """);
+  }
 }
