@@ -18,6 +18,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.ros.Awaited;
@@ -121,6 +123,33 @@ class FirstUseTest {
         waituntil (turns > 3);
         turning.stop;
         """);
+    assertFalse(answer.isDone());
+    ends.add(USUAL);
+    Awaited.value(answer);
+  }
+
+  @Test
+  void anotherLobbyGoesOnWhileItIsMade() throws Exception {
+    BlockingQueue<String> said = new LinkedBlockingQueue<>();
+    Connection other =
+        kernel.connect(
+            new Client() {
+              @Override
+              public void output(String bytes) {
+                said.add(bytes);
+              }
+
+              @Override
+              public void closed() {}
+            });
+    CompletableFuture<Object> answer = kernel.evalAsync("Ros.name;");
+    Awaited.next(begun);
+    other.send("every (10ms) echo(\"turn\"),\n");
+    for (int turns = 0; turns < 4; ) {
+      if (Awaited.next(said).contains("turn")) {
+        turns++;
+      }
+    }
     assertFalse(answer.isDone());
     ends.add(USUAL);
     Awaited.value(answer);
