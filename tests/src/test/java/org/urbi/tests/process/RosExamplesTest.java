@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
 import org.urbi.tests.process.JavaProcess.Setting;
 
-/** {@code examples/ros}, with Debian's roscore and nodes of rospy. */
+/** {@code examples/ros} and a server in the environment of ROS 1, with Debian's roscore and rospy. */
 class RosExamplesTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   private static final String URBI = "org.urbi.server.cli.UrbiCommand";
@@ -40,11 +40,15 @@ class RosExamplesTest {
     try (ServerSocket socket = new ServerSocket(0)) {
       port = socket.getLocalPort();
     }
-    core = ros("/usr/bin/rosmaster", "--core", "-p", "" + port).start();
+    core = master(port);
     root =
         Setting.in(ROOT)
             .with("URBI_UOBJECT_PATH", folder.toString())
             .with("ROS_MASTER_URI", "http://127.0.0.1:" + port);
+  }
+
+  private static Process master(int port) throws IOException {
+    return ros("/usr/bin/rosmaster", "--core", "-p", "" + port).start();
   }
 
   /** Writes the modules that the robot consists of into a folder. */
@@ -110,6 +114,31 @@ class RosExamplesTest {
       }
       urbi.send("shutdown;\n");
       assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+  }
+
+  @Test
+  void aServerWhoseMasterIsAwayStartsAndFindsItWhenItComes() throws Exception {
+    int later;
+    try (ServerSocket socket = new ServerSocket(0)) {
+      later = socket.getLocalPort();
+    }
+    String uri = "http://127.0.0.1:" + later;
+    try (JavaProcess urbi =
+        JavaProcess.start(root.with("ROS_MASTER_URI", uri), URBI, List.of("-q", "-i"))) {
+      urbi.send("echo(\"it is up\"); echo([\"master\", Ros.checkMaster]);\n");
+      urbi.awaitText("it is up");
+      urbi.awaitText("ROS: no master at " + uri + ", looking for it every second");
+      urbi.awaitText("[\"master\", false]");
+      Process late = master(later);
+      try {
+        urbi.awaitText("ROS: connected to the master " + uri);
+        urbi.send("echo([\"master\", Ros.checkMaster]);\nshutdown;\n");
+        urbi.awaitText("[\"master\", true]");
+        assertEquals(0, urbi.awaitEnd(), urbi::text);
+      } finally {
+        late.destroyForcibly();
+      }
     }
   }
 }
