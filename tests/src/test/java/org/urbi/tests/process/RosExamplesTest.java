@@ -20,7 +20,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
 import org.urbi.tests.process.JavaProcess.Setting;
 
-/** {@code examples/ros} and a server in the environment of ROS 1, with Debian's roscore and rospy. */
+/**
+ * {@code examples/ros} and a server in the environment of ROS 1, with Debian's roscore and rospy.
+ */
 class RosExamplesTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   private static final String URBI = "org.urbi.server.cli.UrbiCommand";
