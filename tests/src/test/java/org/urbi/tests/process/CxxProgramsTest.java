@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.tests.TestTimeout;
@@ -31,22 +32,58 @@ class CxxProgramsTest {
       UStart(Own);
       """;
 
+  /** Without arguments it says why it cannot have an Urbi of its own. */
+  private static final String MAIN =
+      """
+      static int alone(const char* argv[])
+      {
+        UrbiRoot root("own");
+        try
+        {
+          return urbi::main(1, argv, root, true, true);
+        }
+        catch (const std::exception& e)
+        {
+          std::puts(e.what());
+          return 0;
+        }
+      }
+      int main(int argc, const char* argv[])
+      {
+        if (argc == 1)
+          return alone(argv);
+        std::puts(urbi::isPluginMode() ? "plugged" : "remote");
+        if (argc != 3
+            || urbi::initialize("localhost", std::atoi(argv[2]), urbi::UClient::URBI_BUFLEN, false)
+            || !urbi::getDefaultClient())
+          return 1;
+        while (!asked)
+          usleep(1000);
+        usleep(200000); // for the answer to arrive
+        std::puts("asked");
+        return 0;
+      }
+      """;
+
+  /** Where the program is that umake has made of {@link #MAIN}. */
+  @TempDir static Path made;
+
+  private static Path program;
+
   @TempDir Path folder;
 
-  private Path source(String main) throws IOException {
-    return Files.writeString(folder.resolve("own.cc"), OBJECT + main);
+  @BeforeAll
+  static void compile() throws IOException, InterruptedException {
+    Path source = Files.writeString(made.resolve("own.cc"), OBJECT + MAIN);
+    program = made.resolve("own");
+    CxxModules.umake("umake", "program", source, program, "--disable-automain");
   }
 
   private Path compileByHand(String main) throws IOException, InterruptedException {
-    Path program = folder.resolve("own");
-    CxxModules.compileProgram("g++", source(main), program, "-std=c++17", "-rdynamic");
-    return program;
-  }
-
-  private Path compile(String main) throws IOException, InterruptedException {
-    Path program = folder.resolve("own");
-    CxxModules.umake("umake", "program", source(main), program, "--disable-automain");
-    return program;
+    Path source = Files.writeString(folder.resolve("own.cc"), OBJECT + main);
+    Path compiled = folder.resolve("own");
+    CxxModules.compileProgram("g++", source, compiled, "-std=c++17", "-rdynamic");
+    return compiled;
   }
 
   /** An installation that has the classes of these tests. */
@@ -68,9 +105,9 @@ class CxxProgramsTest {
     return folder.resolve("root");
   }
 
-  private CompletableFuture<String> start(Path program, String... arguments) throws IOException {
+  private CompletableFuture<String> start(Path started, String... arguments) throws IOException {
     List<String> words =
-        new ArrayList<>(List.of("env", "URBI_ROOT=" + installation(), program.toString()));
+        new ArrayList<>(List.of("env", "URBI_ROOT=" + installation(), started.toString()));
     words.addAll(List.of(arguments));
     // Not on the threads that all tests of this JVM share: they may be busy for long.
     return CompletableFuture.supplyAsync(
@@ -100,9 +137,9 @@ class CxxProgramsTest {
 
   @Test
   void nothingButItsObjects() throws Exception {
-    Path program = compileByHand("UMAIN();\n");
+    Path bare = compileByHand("UMAIN();\n");
     try (ServerProcess server = ServerProcess.in(folder)) {
-      CompletableFuture<String> running = start(program, "--port", "" + server.port());
+      CompletableFuture<String> running = start(bare, "--port", "" + server.port());
       ask(server);
       assertEquals(0, server.shutDown(), server::text);
       assertTrue(end(running).contains("started Own"));
@@ -111,23 +148,6 @@ class CxxProgramsTest {
 
   @Test
   void programUsesUrbiRoot() throws Exception {
-    Path program =
-        compile(
-            """
-            int main(int argc, const char* argv[])
-            {
-              std::puts(urbi::isPluginMode() ? "plugged" : "remote");
-              if (argc != 3
-                  || urbi::initialize("localhost", std::atoi(argv[2]), urbi::UClient::URBI_BUFLEN, false)
-                  || !urbi::getDefaultClient())
-                return 1;
-              while (!asked)
-                usleep(1000);
-              usleep(200000); // for the answer to arrive
-              std::puts("asked");
-              return 0;
-            }
-            """);
     try (ServerProcess server = ServerProcess.in(folder)) {
       CompletableFuture<String> running = start(program, "--port", "" + server.port());
       ask(server);
@@ -140,23 +160,6 @@ class CxxProgramsTest {
 
   @Test
   void noUrbi() throws Exception {
-    Path program =
-        compile(
-            """
-            int main(int, const char* argv[])
-            {
-              UrbiRoot root("own");
-              try
-              {
-                return urbi::main(1, argv, root, true, true);
-              }
-              catch (const std::exception& e)
-              {
-                std::puts(e.what());
-                return 0;
-              }
-            }
-            """);
     String said =
         CxxModules.output("env", "URBI_ROOT=" + folder.resolve("no'where"), program.toString());
     assertTrue(
