@@ -7,7 +7,6 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <functional>
-#include <future>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -196,17 +195,25 @@ namespace urbi
         return;
       // A client is asked for it where it is const.
       UClient& self = const_cast<UClient&>(*this);
-      auto answer = std::make_shared<std::promise<std::string>>();
+      // Shared with the callback, which may be called when nobody waits any more. Not a future: all
+      // that include this would read its header for this one use.
+      struct Answer
+      {
+        std::string text;
+        libport::Semaphore come;
+      };
+      auto answer = std::make_shared<Answer>();
       self.sendCommand(
         [answer, otherwise](const UMessage& message) {
           bool text = message.value && message.value->type == DATA_STRING;
-          answer->set_value(text ? *message.value->stringValue : otherwise);
+          answer->text = text ? *message.value->stringValue : otherwise;
+          answer->come++;
           return URBI_REMOVE;
         },
         question + ";\n");
-      std::future<std::string> come = answer->get_future();
-      if (come.wait_for(std::chrono::seconds(5)) == std::future_status::ready)
-        known = come.get();
+      const libport::utime_t seconds = 1000000;
+      if (answer->come.uget(5 * seconds))
+        known = answer->text;
     }
 
     /// Starts to receive.
