@@ -47,6 +47,7 @@ final class DatagramPort {
   private final List<Request> waiting = new ArrayList<>();
   private final WatchFailure failure = new WatchFailure("taking datagrams");
   private @Nullable Channel channel;
+  private boolean closed;
   private long refused;
 
   /**
@@ -95,6 +96,11 @@ final class DatagramPort {
   }
 
   private void opened(Channel bound) {
+    if (closed) {
+      bound.close();
+      failed(new IOException("the port has been closed"));
+      return;
+    }
     channel = bound;
     trace.debug("taking datagrams on " + bound.localAddress());
     answer(each -> each.opened.accept(bound));
@@ -119,9 +125,11 @@ final class DatagramPort {
     receivers.remove(token);
   }
 
+  /** Closes the port, also one that is being opened: who waits for it is told. */
   void close() {
     loop.next()
         .execute(() -> {
+          closed = true;
           if (channel != null) {
             channel.close();
           }

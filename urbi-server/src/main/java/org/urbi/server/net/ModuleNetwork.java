@@ -113,6 +113,8 @@ public final class ModuleNetwork implements AutoCloseable {
     private FrameHandler admit(Channel client) {
       connection = client;
       listener.close();
+      // Nobody else uses it: each process would leave a descriptor.
+      client.closeFuture().addListener(done -> datagrams.close());
       return new FrameHandler(
           (name, transport) -> {
             peer.connected(transport);

@@ -82,6 +82,17 @@ class DatagramPortTest {
     assertEquals("third", answers.take());
   }
 
+  /** It would stay open for ever: nobody closes it a second time. */
+  @Test
+  void portThatIsClosedWhileItIsOpenedIsNotLeftOpen() throws Exception {
+    DatagramPort port = port(new InetSocketAddress(HERE, 0));
+    loop.execute(() -> {
+      port.close();
+      open(port, "late", () -> {});
+    });
+    assertEquals("late: cannot take datagrams: the port has been closed", answers.take());
+  }
+
   @Test
   void takenPortIsReplacedByAnother() throws Exception {
     try (DatagramSocket other = new DatagramSocket(0, HERE)) {
