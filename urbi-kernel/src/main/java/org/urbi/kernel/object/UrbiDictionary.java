@@ -65,7 +65,7 @@ public final class UrbiDictionary extends UrbiObject {
   }
 
   /** Sorting the entries can be ended: there may be millions. A power of two. */
-  private static final int COMPARISONS_BETWEEN_CHECKS = 1 << 10;
+  private static final int STEPS_BETWEEN_CHECKS = 1 << 10;
 
   private final LinkedHashMap<Key, UrbiObject> entries;
 
@@ -86,13 +86,16 @@ public final class UrbiDictionary extends UrbiObject {
     Ranked[] ranked = new Ranked[entries.size()];
     int next = 0;
     for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
+      if ((next & (STEPS_BETWEEN_CHECKS - 1)) == 0) {
+        world().passCheckpoint();
+      }
       ranked[next++] = Ranked.of(entry);
     }
     int[] compared = {0};
     Arrays.sort(
         ranked,
         (one, other) -> {
-          if ((++compared[0] & (COMPARISONS_BETWEEN_CHECKS - 1)) == 0) {
+          if ((++compared[0] & (STEPS_BETWEEN_CHECKS - 1)) == 0) {
             world().passCheckpoint();
           }
           return one.compareTo(other);
