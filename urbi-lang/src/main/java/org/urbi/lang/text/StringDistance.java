@@ -93,9 +93,9 @@ public final class StringDistance {
 
   /**
    * Finds the name that was probably meant: of the most similar candidates, with at most two typing
-   * errors, one that is at hand, then one that goes on as the name does or stops before its end,
-   * then the last in alphabetical order (names with a dollar sign come after all others). Case is
-   * ignored, unless names differ in nothing else.
+   * errors, one that is at hand, then one with a single letter more or less at its end, then the
+   * last in alphabetical order (names with a dollar sign come after all others). Case is ignored,
+   * unless names differ in nothing else.
    */
   public static final class ClosestName {
     private final String name;
@@ -143,7 +143,7 @@ public final class StringDistance {
         return;
       }
       int edits = Math.max(1, distance(lower, lower(candidate), () -> {}));
-      int better = (atHand ? 2 : 0) + (differsAtEnd(lower(candidate)) ? 1 : 0);
+      int better = (atHand ? 2 : 0) + (edits == 1 && differsAtEnd(lower(candidate)) ? 1 : 0);
       if (edits <= most && (edits < least || edits == least && isBetter(candidate, better))) {
         meant = candidate;
         least = edits;

@@ -15,11 +15,15 @@ class StringDistanceTest {
   private static final String LETTERS = "abcAB$\u00e9!\u0121";
 
   @Test
-  void ofWordsThatAreAsSimilarTheOneThatGoesOnOrIsAtHandIsMeant() {
+  void ofWordsThatAreAsSimilarTheOneAtHandOrWithOneMoreOrLessAtItsEndIsMeant() {
     ClosestName atTheEnd = new ClosestName("vall");
     atTheEnd.consider("val");
     atTheEnd.consider("wall");
     assertEquals("val", atTheEnd.meant());
+    ClosestName twoErrors = new ClosestName("assert_eq");
+    twoErrors.consider("assert_");
+    twoErrors.consider("assert_op");
+    assertEquals("assert_op", twoErrors.meant());
     ClosestName atHand = new ClosestName("sped");
     atHand.consider("shed", true);
     atHand.consider("speed");
