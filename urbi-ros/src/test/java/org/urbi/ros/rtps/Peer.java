@@ -66,11 +66,17 @@ public final class Peer implements AutoCloseable {
     return Path.of("src/test/resources/peers").resolve(name).toAbsolutePath();
   }
 
-  private Peer(String environment, int domain, String script, Map<String, String> settings)
-      throws IOException {
+  /** Whoever does not have those peers skips the test. Returns the Python that runs them. */
+  static Path assumeThere(String environment) {
     Path python = MADE.resolve(environment).resolve("bin/python");
     assumeTrue(
         Files.exists(python), "no peer for the test: scripts/ros-peers.sh gets " + environment);
+    return python;
+  }
+
+  private Peer(String environment, int domain, String script, Map<String, String> settings)
+      throws IOException {
+    Path python = assumeThere(environment);
     Map<String, String> environs = new HashMap<>(settings);
     environs.put("ROS_DOMAIN_ID", Integer.toString(domain));
     environs.put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
