@@ -9,6 +9,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.library.value.Printing;
@@ -34,9 +35,6 @@ final class DictionaryType {
   private static final String ADDED = "elementAdded";
   private static final String CHANGED = "elementChanged";
   private static final String REMOVED = "elementRemoved";
-
-  /** What it costs to make an object, or an entry. */
-  private static final int STEPS_FOR_OBJECT = 16;
 
   private DictionaryType() {}
 
@@ -85,7 +83,7 @@ final class DictionaryType {
     Symbol first = pair.world().symbol("first");
     Symbol second = pair.world().symbol("second");
     for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : self.sorted()) {
-      caller.job().worked(STEPS_FOR_OBJECT);
+      caller.job().worked(Steps.OBJECT);
       UrbiObject both = new UrbiObject(pair);
       both.addSlot(first, entry.getKey().value());
       both.addSlot(second, entry.getValue());
@@ -163,7 +161,7 @@ final class DictionaryType {
   @Builtin(doc = "Sets the value of a key; returns the target.", needs = Permission.CHANGE)
   static UrbiObject set(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
     UrbiDictionary.Key found = DictionaryKey.of(caller, key);
-    caller.job().worked(STEPS_FOR_OBJECT);
+    caller.job().worked(Steps.OBJECT);
     UrbiObject before = self.modify().put(found, value);
     self.noteContentChange();
     emit(caller, self, before == null ? ADDED : CHANGED);

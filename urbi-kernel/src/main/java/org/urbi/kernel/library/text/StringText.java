@@ -10,6 +10,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -25,9 +26,6 @@ final class StringText {
 
   /** So many characters are looked through at once. */
   private static final int PIECE = 1 << 16;
-
-  /** As many characters as are compared in the time of a step. */
-  private static final int CHARACTERS_IN_STEP = 16;
 
   private StringText() {}
 
@@ -123,7 +121,7 @@ final class StringText {
   private static @Nullable String separatorAt(
       String text, int at, List<String> separators, Job job) {
     for (String separator : separators) {
-      job.worked(1 + separator.length() / CHARACTERS_IN_STEP);
+      job.worked(1 + Steps.ofCharacters(separator.length()));
       if (text.startsWith(separator, at)) {
         return separator;
       }

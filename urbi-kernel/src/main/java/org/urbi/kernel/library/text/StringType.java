@@ -10,6 +10,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.library.value.Printing;
@@ -30,12 +31,6 @@ import org.urbi.lang.print.StringEscape;
     doc = "A sequence of characters.",
     needs = Permission.NOTHING)
 public final class StringType {
-  /** What it costs to make an object, or a piece of a text. */
-  private static final int STEPS_FOR_OBJECT = 16;
-
-  /** As many characters as are compared or copied in the time of a step. */
-  private static final int CHARACTERS_IN_STEP = 16;
-
   /** So many pairs of characters may be compared between two checks whether to continue. */
   private static final int SEARCHED = 1 << 20;
 
@@ -121,7 +116,7 @@ public final class StringType {
     String text = self.value();
     List<UrbiObject> characters = new ArrayList<>(text.length());
     for (int i = 0; i < text.length(); i++) {
-      caller.job().worked(STEPS_FOR_OBJECT);
+      caller.job().worked(Steps.OBJECT);
       characters.add(string(caller, text.substring(i, i + 1)));
     }
     return characters;
@@ -279,12 +274,11 @@ public final class StringType {
       int begins = at + Math.min(piece, last + 1 - at);
       int found = text.indexOf(from, at, begins + from.length() - 1);
       if (found < 0) {
-        job.worked((long) (begins - at) * from.length() / CHARACTERS_IN_STEP);
+        job.worked(Steps.ofCharacters((long) (begins - at) * from.length()));
         at = begins;
       } else {
         job.worked(
-            STEPS_FOR_OBJECT
-                + ((long) (found - at) * from.length() + to.length()) / CHARACTERS_IN_STEP);
+            Steps.OBJECT + Steps.ofCharacters((long) (found - at) * from.length() + to.length()));
         out.append(text, copied, found).append(to);
         copied = found + from.length();
         at = copied;
@@ -318,9 +312,7 @@ public final class StringType {
       out.append(first ? "" : separator);
       first = false;
       String text = caller.interpreter().asString(caller, element);
-      caller
-          .job()
-          .worked(STEPS_FOR_OBJECT + (text.length() + separator.length()) / CHARACTERS_IN_STEP);
+      caller.job().worked(Steps.OBJECT + Steps.ofCharacters(text.length() + separator.length()));
       out.append(text);
     }
     return out.append(suffix).toString();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.Primitive;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -19,9 +20,6 @@ import org.urbi.lang.grammar.Checkpoint;
  * whose operators are those of the library.
  */
 public final class Comparison {
-  /** As many characters of two texts as are compared in the time of a step. */
-  private static final int CHARACTERS_IN_STEP = 16;
-
   private Comparison() {}
 
   /** {@code a == b}. */
@@ -43,7 +41,7 @@ public final class Comparison {
 
   /** Two texts are about to be compared. */
   private static void worked(Frame caller, String a, String b) {
-    caller.job().worked(1 + Math.min(a.length(), b.length()) / CHARACTERS_IN_STEP);
+    caller.job().worked(1 + Steps.ofCharacters(Math.min(a.length(), b.length())));
   }
 
   /** {@code a < b}. */
