@@ -16,7 +16,7 @@ public final class PendingAnswer implements Receiver {
   private final int number;
   private @Nullable Outcome outcome;
   private boolean abandoned;
-  private Runnable beforeReplayed = () -> {};
+  private Runnable before = () -> {};
 
   /**
    * Begins to wait; in the job.
@@ -36,16 +36,14 @@ public final class PendingAnswer implements Receiver {
     scheduler.inbox().post(new Message.Answer(number, what));
   }
 
-  /** Has something done by the kernel thread before a recorded result is delivered. */
-  public void beforeReplayed(Runnable action) {
-    beforeReplayed = action;
+  /** Has something done by the kernel thread before the result is delivered. */
+  public void before(Runnable action) {
+    before = action;
   }
 
   @Override
   public void take(Message message) {
-    if (scheduler.journal().isReplay()) {
-      beforeReplayed.run();
-    }
+    before.run();
     arrived(((Message.Answer) message).outcome());
   }
 

@@ -36,7 +36,9 @@ final class AwaitedResult {
   @Nullable Object await(CompletionStage<?> stage) {
     stage.whenComplete(this::complete);
     waiting = true;
-    answer.beforeReplayed(() -> catchUp(stage));
+    if (scheduler.journal().isReplay()) {
+      answer.before(() -> catchUp(stage));
+    }
     return switch (answer.await()) {
       case Outcome.Value value -> own == null ? value.data().value() : own;
       case Outcome.Failure failure -> throw new CompletionException(failure.thrown());
