@@ -262,7 +262,7 @@ final class ErrorAdvice {
       int count = (int) most.value();
       return Hint.NUMBERS.text(routine, count, count == 1 ? "" : "s");
     }
-    if (isWhole(Pattern.compile(Pattern.quote(routine))) && precedes(ARGUMENT)) {
+    if (spanText().equals(routine) && precedes(ARGUMENT)) {
       return Hint.CALLED_BY_NAME.text(routine);
     }
     if (slot("maximum") instanceof UrbiFloat most && most.value() == 0) {

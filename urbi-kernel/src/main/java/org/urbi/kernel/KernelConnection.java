@@ -110,7 +110,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   public void close() {
     if (!gone) {
       // A second interruption would never be cleared: one message clears only one.
-      interruptRunning();
+      interruptRunning(Interruptions.EVERYTHING);
       kernel.inbox().post(new Message.ConnectionClosed(number));
     }
   }
@@ -122,7 +122,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   @Override
   public void interrupt() {
-    interruptRunning();
+    interruptRunning(Interruptions.EVERYTHING);
     kernel.inbox().post(new Message.Interrupted(number));
   }
 
@@ -174,10 +174,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   /**
    * Code that never lets others run cannot be reached by a message, so it is interrupted at once.
    */
-  private void interruptRunning() {
-    interruptRunning(Interruptions.EVERYTHING);
-  }
-
   private void interruptRunning(Predicate<Job> which) {
     UrbiObject of = lobby;
     if (of != null) {
@@ -401,7 +397,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       }
     } catch (OutOfMemoryError e) {
       // Until there is memory to end them, its jobs must not take more.
-      interruptRunning();
+      interruptRunning(Interruptions.EVERYTHING);
       throw e;
     }
   }

@@ -568,7 +568,7 @@ public final class Shell {
     for (Note note : SuspectCode.in(statement.tree(), statement.separator())) {
       Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
     }
-    for (Note note : SuspectTags.in(statement.tree(), lobby)) {
+    for (Note note : SuspectStatements.in(statement.tree(), lobby)) {
       Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
     }
     lobby.failures().addLocal(LocalDeclarations.in(statement.tree()));

@@ -142,8 +142,9 @@ public final class StringDistance {
       if (Long.bitCount(letters & ~others) > most || Long.bitCount(others & ~letters) > most) {
         return;
       }
-      int edits = Math.max(1, distance(lower, lower(candidate), () -> {}));
-      int better = (atHand ? 2 : 0) + (edits == 1 && differsAtEnd(lower(candidate)) ? 1 : 0);
+      String other = lower(candidate);
+      int edits = Math.max(1, distance(lower, other, () -> {}));
+      int better = (atHand ? 2 : 0) + (edits == 1 && differsAtEnd(other) ? 1 : 0);
       if (edits <= most && (edits < least || edits == least && isBetter(candidate, better))) {
         meant = candidate;
         least = edits;

@@ -7,11 +7,11 @@ import java.util.List;
 final class CdrBuffer {
   private static final byte[] LITTLE_ENDIAN = {0, 1, 0, 0};
 
-  /** What follows the header, from which multiples are counted. */
-  private final McapBuffer content = new McapBuffer();
+  /** The header, from whose end multiples are counted, and what follows it. */
+  private final McapBuffer content = new McapBuffer().raw(LITTLE_ENDIAN);
 
   private McapBuffer aligned(int size) {
-    while (content.size() % size != 0) {
+    while ((content.size() - LITTLE_ENDIAN.length) % size != 0) {
       content.octet(0);
     }
     return content;
@@ -55,6 +55,6 @@ final class CdrBuffer {
   }
 
   byte[] toBytes() {
-    return new McapBuffer().raw(LITTLE_ENDIAN).raw(content.toBytes()).toBytes();
+    return content.toBytes();
   }
 }

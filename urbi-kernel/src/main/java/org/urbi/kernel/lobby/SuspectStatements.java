@@ -13,8 +13,8 @@ import org.urbi.lang.ast.Ast;
  * Code that would silently wait or be left out, for a tag is frozen or blocked, or would not wait
  * for an event, as far as a look at the slots of the lobby tells: no code runs for that.
  */
-final class SuspectTags {
-  private SuspectTags() {}
+final class SuspectStatements {
+  private SuspectStatements() {}
 
   /** What there is to say about a statement that is about to be run. */
   static List<Note> in(Ast statement, UrbiLobby lobby) {
