@@ -79,18 +79,9 @@ class RecordedEndTest {
 
   /** The clients of the replay know nothing of those of the run. */
   private int replayed() {
-    Client silent =
-        new Client() {
-          @Override
-          public void output(String bytes) {}
-
-          @Override
-          public void closed() {}
-        };
-    Kernel kernel = Kernel.builder().log(line -> {}).replay(recording, number -> silent).start();
-    int status = kernel.awaitTermination();
+    Kernel kernel = ReplayedRun.ended(Kernel.builder(), recording);
     assertNull(kernel.replayDifference());
-    return status;
+    return kernel.awaitTermination();
   }
 
   @ParameterizedTest

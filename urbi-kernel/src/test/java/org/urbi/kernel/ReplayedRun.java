@@ -49,8 +49,13 @@ public final class ReplayedRun {
 
   /** The same, in a kernel that tells somebody what it shows. */
   public static @Nullable String difference(KernelBuilder builder, Path recording) {
+    return ended(builder, recording).replayDifference();
+  }
+
+  /** A kernel that has replayed the run, to its end. */
+  static Kernel ended(KernelBuilder builder, Path recording) {
     Kernel replayed = builder.log(line -> {}).replay(recording, number -> SILENT).start();
     replayed.awaitTermination();
-    return replayed.replayDifference();
+    return replayed;
   }
 }

@@ -25,7 +25,7 @@ import org.urbi.tests.process.JavaProcess.Setting;
  */
 class RosExamplesTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
-  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
+  static final String URBI = "org.urbi.server.cli.UrbiCommand";
 
   @TempDir static Path folder;
   private static int port;
@@ -96,20 +96,7 @@ class RosExamplesTest {
               .redirectOutput(ProcessBuilder.Redirect.PIPE)
               .start();
       try {
-        String said = new String(pilot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        String distance = said.replaceAll("(?s).*something at ([\\d.]+) m.*", "$1");
-        assertEquals(
-            """
-            an image of 320 x 240, rgb8, 230400 bytes
-            a scan of 181 rays, something at %s m
-            it went ahead
-            it came back
-            it stands
-            """
-                .formatted(distance),
-            said,
-            urbi::text);
-        assertTrue(Double.parseDouble(distance) < 4, distance);
+        seesAndDrives(pilot, "an image of 320 x 240, rgb8, 230400 bytes\n", urbi);
         urbi.awaitText("there is /pilot");
       } finally {
         pilot.destroyForcibly();
@@ -117,6 +104,27 @@ class RosExamplesTest {
       urbi.send("shutdown;\n");
       assertEquals(0, urbi.awaitEnd(), urbi::text);
     }
+  }
+
+  /**
+   * What the pilot of an example says, to its end.
+   *
+   * @param before what it says before it tells of the scan
+   */
+  static void seesAndDrives(Process pilot, String before, JavaProcess urbi) throws IOException {
+    String said = new String(pilot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String distance = said.replaceAll("(?s).*something at ([\\d.]+) m.*", "$1");
+    assertEquals(
+        """
+        %sa scan of 181 rays, something at %s m
+        it went ahead
+        it came back
+        it stands
+        """
+            .formatted(before, distance),
+        said,
+        urbi::text);
+    assertTrue(Double.parseDouble(distance) < 4, distance);
   }
 
   @Test

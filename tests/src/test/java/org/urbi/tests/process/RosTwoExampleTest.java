@@ -1,10 +1,8 @@
 package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,7 +28,7 @@ class RosTwoExampleTest {
         Setting.in(ROOT).with("URBI_UOBJECT_PATH", folder.toString()).with("ROS_DOMAIN_ID", DOMAIN);
     try (JavaProcess urbi =
         JavaProcess.start(
-            root, "org.urbi.server.cli.UrbiCommand", List.of("-q", "-i", "examples/ros/robot.u"))) {
+            root, RosExamplesTest.URBI, List.of("-q", "-i", "examples/ros/robot.u"))) {
       urbi.awaitText("The robot is there");
       ProcessBuilder builder =
           new ProcessBuilder(PYTHON.toString(), "examples/ros/drive_ros2.py")
@@ -40,19 +38,7 @@ class RosTwoExampleTest {
       builder.environment().put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
       Process pilot = builder.start();
       try {
-        String said = new String(pilot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        String distance = said.replaceAll("(?s).*something at ([\\d.]+) m.*", "$1");
-        assertEquals(
-            """
-            a scan of 181 rays, something at %s m
-            it went ahead
-            it came back
-            it stands
-            """
-                .formatted(distance),
-            said,
-            urbi::text);
-        assertTrue(Double.parseDouble(distance) < 4, distance);
+        RosExamplesTest.seesAndDrives(pilot, "", urbi);
       } finally {
         pilot.destroyForcibly();
       }
