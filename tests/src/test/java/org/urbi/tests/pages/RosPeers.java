@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.urbi.tests.FreePorts;
 import org.urbi.tests.TestTimeout;
 
 /**
@@ -59,9 +59,7 @@ final class RosPeers implements AutoCloseable {
 
   private RosPeers(Path folder) throws IOException {
     this.folder = folder;
-    try (ServerSocket socket = new ServerSocket(0)) {
-      port = socket.getLocalPort();
-    }
+    port = FreePorts.next();
   }
 
   /** Whether there is a ROS 1 on this machine. */

@@ -3,7 +3,6 @@ package org.urbi.tests.pages;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +16,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.urbi.tests.FreePorts;
 import org.urbi.tests.LineDifference;
 import org.urbi.tests.OutputNormalizer;
 import org.urbi.tests.TestTimeout;
@@ -253,8 +253,8 @@ final class Terminal implements AutoCloseable {
   }
 
   private static String free(String port) {
-    try (ServerSocket socket = new ServerSocket(0)) {
-      return String.valueOf(socket.getLocalPort());
+    try {
+      return String.valueOf(FreePorts.next());
     } catch (IOException e) {
       throw new UncheckedIOException("instead of port " + port, e);
     }

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
+import org.urbi.tests.FreePorts;
 import org.urbi.tests.process.JavaProcess.Setting;
 
 /**
@@ -39,9 +39,7 @@ class RosExamplesTest {
             .allMatch(each -> Files.isDirectory(Path.of("/usr/lib/python3/dist-packages", each))),
         "there is no ROS 1 on this machine");
     makeModules(folder);
-    try (ServerSocket socket = new ServerSocket(0)) {
-      port = socket.getLocalPort();
-    }
+    port = FreePorts.next();
     core = master(port);
     root =
         Setting.in(ROOT)
@@ -129,10 +127,7 @@ class RosExamplesTest {
 
   @Test
   void aServerWhoseMasterIsAwayStartsAndFindsItWhenItComes() throws Exception {
-    int later;
-    try (ServerSocket socket = new ServerSocket(0)) {
-      later = socket.getLocalPort();
-    }
+    int later = FreePorts.next();
     String uri = "http://127.0.0.1:" + later;
     try (JavaProcess urbi =
         JavaProcess.start(root.with("ROS_MASTER_URI", uri), URBI, List.of("-q", "-i"))) {

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
+import org.urbi.tests.FreePorts;
 import org.urbi.tests.TestTimeout;
 import org.urbi.tests.process.JavaProcess.Setting;
 
@@ -374,10 +375,7 @@ class SimulatedRobotTest {
 
   @Test
   void recordingHasWhatWasDoneOnThePage(@TempDir Path folder) throws Exception {
-    int port;
-    try (ServerSocket free = new ServerSocket(0)) {
-      port = free.getLocalPort();
-    }
+    int port = FreePorts.next();
     Path program =
         Files.writeString(
             folder.resolve("paused.u"),

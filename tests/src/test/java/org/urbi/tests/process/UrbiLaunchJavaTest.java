@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.FreePorts;
 import org.urbi.tests.process.JavaProcess.Setting;
 import urbi.UObject;
 
@@ -83,12 +82,6 @@ class UrbiLaunchJavaTest {
 
   private void failsToLaunch(String message, String... arguments) throws Exception {
     program().fails(1, message, arguments);
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return free.getLocalPort();
-    }
   }
 
   // ------------------------------------------------------------------ plugged
@@ -165,7 +158,7 @@ class UrbiLaunchJavaTest {
 
   @Test
   void theServerMayComeLater() throws Exception {
-    Files.writeString(folder.resolve("port"), freePort() + "\n");
+    Files.writeString(folder.resolve("port"), FreePorts.next() + "\n");
     copy("machine");
     try (JavaProcess machine = launch("--wait=10min", "--port-file", "port", "machine.jar");
         ServerProcess server = ServerProcess.in(folder, "--port-file", "port")) {
@@ -291,7 +284,7 @@ class UrbiLaunchJavaTest {
   @Test
   void missingServerIsReported() throws Exception {
     copy("machine");
-    int port = freePort();
+    int port = FreePorts.next();
     failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "machine");
     failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "--plugin", "machine");
     failsToLaunch("is the server running?", "--port-file", "no-port", "machine");

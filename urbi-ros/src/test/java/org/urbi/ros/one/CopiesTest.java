@@ -19,6 +19,7 @@ import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.codec.MessageCodec;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
@@ -50,7 +51,7 @@ class CopiesTest {
 
   @BeforeEach
   void start() throws IOException {
-    node = OneNodeTest.node(OneNodeTest.freePort(), "tested");
+    node = OneNodeTest.node(FreePorts.next(), "tested");
     image = node.definitions().message("sensor_msgs/Image");
     message = Templates.of(image);
     message.put("data", new UValue(new UBinary(new byte[SIZE])));

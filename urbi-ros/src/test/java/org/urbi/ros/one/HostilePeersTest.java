@@ -23,6 +23,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.Subscription;
@@ -39,7 +40,7 @@ class HostilePeersTest {
 
   @BeforeEach
   void start() throws IOException {
-    node = OneNodeTest.node(OneNodeTest.freePort(), "tested");
+    node = OneNodeTest.node(FreePorts.next(), "tested");
     text = node.definitions().message("std_msgs/String");
   }
 

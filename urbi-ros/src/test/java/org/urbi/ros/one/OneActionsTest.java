@@ -21,6 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.ActionServer;
 import org.urbi.ros.graph.GoalStatus;
@@ -105,7 +106,7 @@ class OneActionsTest {
     assumeTrue(
         Files.isDirectory(Path.of("/usr/lib/python3/dist-packages/actionlib")),
         "there is no actionlib on this machine");
-    port = OneNodeTest.freePort();
+    port = FreePorts.next();
     master = RosProcess.master(port, logs);
     Map<String, String> environment = new HashMap<>(RosProcess.environment(port));
     environment.put(

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
@@ -22,6 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.Lent;
 import org.urbi.ros.frames.FrameBuffer;
 import org.urbi.ros.frames.FrameListener;
@@ -49,12 +49,6 @@ class OneNodeTest {
 
   private OneNode node;
 
-  static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0)) {
-      return socket.getLocalPort();
-    }
-  }
-
   static OneNode node(int port, String name) {
     Map<String, String> environment = new HashMap<>(RosProcess.environment(port));
     environment.put("ROS_NAMESPACE", "/space");
@@ -73,7 +67,7 @@ class OneNodeTest {
   @BeforeAll
   static void startRos() throws Exception {
     assumeTrue(RosProcess.isInstalled(), "there is no ROS 1 on this machine");
-    port = freePort();
+    port = FreePorts.next();
     master = RosProcess.master(port, logs);
     peer = peer(port);
   }

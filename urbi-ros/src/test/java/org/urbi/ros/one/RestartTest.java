@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
@@ -41,7 +42,7 @@ class RestartTest {
 
   @Test
   void aMasterThatIsAwayComesAndGoesAndComesBack() throws Exception {
-    int port = OneNodeTest.freePort();
+    int port = FreePorts.next();
     BlockingQueue<Boolean> presence = new LinkedBlockingQueue<>();
     OneNode node =
         OneNode.start(
@@ -84,7 +85,7 @@ class RestartTest {
 
   @Test
   void aPeerThatDiesIsNoticedAndOneThatComesBackIsHeard() throws Exception {
-    int port = OneNodeTest.freePort();
+    int port = FreePorts.next();
     try (RosProcess master = RosProcess.master(port, logs)) {
       OneNode node = OneNodeTest.node(port, "tested");
       try {

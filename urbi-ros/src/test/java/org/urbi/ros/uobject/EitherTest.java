@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.one.RosProcess;
@@ -106,10 +106,7 @@ class EitherTest extends ScriptsFixture {
   @Test
   void withRosOne() throws Exception {
     assumeTrue(RosProcess.isInstalled(), "there is no ROS 1 on this machine");
-    int port;
-    try (ServerSocket socket = new ServerSocket(0)) {
-      port = socket.getLocalPort();
-    }
+    int port = FreePorts.next();
     Path types = Path.of("src/test/resources/org/urbi/ros/share").toAbsolutePath();
     try (RosProcess core = RosProcess.start(port, folder, "roscore", "-p", "" + port)) {
       core.await("started core service [/rosout]");

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
@@ -20,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.ros.Awaited;
+import org.urbi.ros.FreePorts;
 import org.urbi.ros.one.RosProcess;
 
 /**
@@ -40,9 +40,7 @@ class ManualTest {
   static void startRos() throws Exception {
     RosJar.writeTo(folder);
     assumeTrue(RosProcess.isInstalled(), "there is no ROS 1 on this machine");
-    try (ServerSocket socket = new ServerSocket(0)) {
-      port = socket.getLocalPort();
-    }
+    port = FreePorts.next();
     core = RosProcess.start(port, folder, "roscore", "-p", String.valueOf(port));
     core.await("started core service [/rosout]");
     turtle = python("turtle.py");
