@@ -4,10 +4,8 @@ import static java.util.Objects.requireNonNull;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
@@ -16,7 +14,6 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Interruptions;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.lobby.Output;
@@ -44,13 +41,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private final Client client;
   private final boolean holdsTime;
   private final AtomicInteger pending = new AtomicInteger();
-  private final AtomicInteger questions = new AtomicInteger();
-  private final Map<Integer, CompletableFuture<List<String>>> completions =
-      new ConcurrentHashMap<>();
   private final ConnectionView view;
   private final ConnectionFeed feed;
   private final ConnectionCode code;
   private final ConnectionFiles files;
+  private final ConnectionCompletions completions;
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -61,12 +56,13 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private boolean finished;
   private volatile boolean gone;
 
+  /** Whether it was asked to close, perhaps before it is open. */
+  private volatile boolean closing;
+
   /** Whether its lobby has been left, and no message to it is taken any more. */
   private volatile boolean left;
 
-  /**
-   * @param number of the receiver of its messages
-   */
+  /** Its messages have a receiver of that number. */
   KernelConnection(Kernel kernel, int number, Client client, boolean holdsTime) {
     this.kernel = kernel;
     this.number = number;
@@ -76,6 +72,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     this.feed = new ConnectionFeed(kernel, number);
     this.code = new ConnectionCode(kernel, number);
     this.files = new ConnectionFiles(kernel, number);
+    this.completions = new ConnectionCompletions(kernel, number);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -109,8 +106,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   @Override
   public void close() {
     if (!gone) {
-      // A second interruption would never be cleared: one message clears only one.
-      interruptRunning(Interruptions.EVERYTHING);
+      closing = true;
+      endWhatHolds();
       kernel.inbox().post(new Message.ConnectionClosed(number));
     }
   }
@@ -172,6 +169,19 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   }
 
   /**
+   * Its client leaves: what runs for it is interrupted. That request is over with the first job
+   * that obeys, and with the message; what begins later has a limit instead.
+   */
+  private void endWhatHolds() {
+    UrbiLobby of = lobby;
+    if (of != null && !program) {
+      of.budget().abandon();
+    }
+    // A second interruption would never be cleared: one message clears only one.
+    interruptRunning(Interruptions.EVERYTHING);
+  }
+
+  /**
    * Code that never lets others run cannot be reached by a message, so it is interrupted at once.
    */
   private void interruptRunning(Predicate<Job> which) {
@@ -197,15 +207,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   @Override
   public CompletableFuture<List<String>> complete(String text) {
-    CompletableFuture<List<String>> names = new CompletableFuture<>();
-    int question = questions.incrementAndGet();
-    completions.put(question, names);
-    if (gone) {
-      names.complete(List.of());
-    } else {
-      kernel.inbox().post(new Message.CompletionRequested(number, question, text));
-    }
-    return names;
+    return completions.ask(text, gone);
   }
 
   @Override
@@ -319,6 +321,9 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     lobby = made;
     kernel.connections().add(this);
     made.shell().start();
+    if (closing) {
+      endWhatHolds();
+    }
   }
 
   private void limited(Resource what, long limit) {
@@ -363,7 +368,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     } else if (message instanceof Message.ConnectionFailed failed) {
       tell(failed.error());
     } else if (message instanceof Message.CompletionRequested asked) {
-      complete(asked.question(), asked.text());
+      completions.take(asked, finished ? null : lobby());
     } else if (finished) {
       closeParts();
     } else if (message instanceof Message.LookedAt looked) {
@@ -407,7 +412,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     finish();
     left = true;
     kernel.scheduler().interruptions().clear(lobby());
-    completions.values().forEach(names -> names.complete(List.of()));
+    completions.close();
     if (!kernel.leftBehind().has(this)) {
       forget();
     }
@@ -473,13 +478,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     UrbiLobby told = lobby;
     if (!finished && told != null) {
       Diagnostics.error(told.output(), error);
-    }
-  }
-
-  private void complete(int question, String text) {
-    CompletableFuture<List<String>> names = completions.remove(question);
-    if (names != null) {
-      names.complete(finished ? List.of() : Completion.of(lobby(), text));
     }
   }
 
@@ -592,6 +590,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     if (own != null && !kernel.isStopping()) {
       own.disconnected(kernel.interpreter());
       if (!program) {
+        own.budget().abandon();
         kernel.leftBehind().left(this);
       }
     }

@@ -164,4 +164,47 @@ class LeftBehindTest {
     holding.connection().close();
     assertEquals(1, jobs());
   }
+
+  /** Neither does what begins to hold it later, when no request to leave is left. */
+  @Test
+  void whatHoldsTheKernelAfterItsClientHasLeftEnds() {
+    judge.say("var Global.go = Event.new;");
+    TestClient holding = visitor("");
+    holding.say("disown({ waituntil (Global.go?); while| (true) {} })|;");
+    leave(holding);
+    assertEquals(2, jobs());
+    judge.say("Global.go!;");
+    assertEquals(1, jobs());
+  }
+
+  /** The statement obeys the request to leave; what it has detached begins in the same tick. */
+  @Test
+  void whatBeginsToHoldTheKernelBeforeItIsKnownThatItsClientLeavesEnds() {
+    // In simulated time a program that has defined a function would have to let the time go by.
+    try (Kernel real = Kernel.builder().start()) {
+      TestClient observer = new TestClient(real, Role.OWNER);
+      TestClient holding = new TestClient(real, Role.OWNER);
+      real.define(
+          "leaveNow",
+          nothing -> {
+            holding.connection().close();
+            return null;
+          });
+      holding.connection().send("disown({ while| (true) {} }) | leaveNow | loop| {};\n");
+      assertEquals("1", observer.say("while (System.jobs.size != 1) sleep(2ms); System.jobs.size;"));
+    }
+  }
+
+  @Test
+  void whatIsLeftBehindCannotLiftItsLimit() {
+    judge.say("var Global.go = Event.new; var Global.before = 0;");
+    TestClient holding = visitor("");
+    holding.say(
+        "disown({ waituntil (Global.go?); Global.before = lobby.budget(\"hold\");"
+            + " lobby.setBudget(\"hold\", inf); while| (true) {} })|;");
+    leave(holding);
+    judge.say("Global.go!;");
+    assertEquals(1, jobs());
+    assertEquals("inf", judge.say("Global.before;"), "programs do not see it");
+  }
 }

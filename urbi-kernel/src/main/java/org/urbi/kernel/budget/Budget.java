@@ -24,6 +24,12 @@ public final class Budget {
 
   private static final long NANOSECONDS_PER_MILLISECOND = 1_000_000;
 
+  /**
+   * For how many milliseconds a job may hold a kernel that sets no limit when its client has left:
+   * there is nobody who could interrupt it.
+   */
+  private static final long HOLD_WHEN_ABANDONED = 1000;
+
   private static final Pattern PART =
       Pattern.compile("\\s*([a-z]+)\\s*=\\s*(\\d{1,15})([kMG%]?)\\s*");
 
@@ -31,6 +37,7 @@ public final class Budget {
   private final AtomicLongArray used = new AtomicLongArray(Resource.values().length);
   private volatile long nanoseconds;
   private volatile long bytes;
+  private volatile boolean abandoned;
 
   private final ObjLongConsumer<Resource> limited;
 
@@ -104,12 +111,24 @@ public final class Budget {
   }
 
   /**
+   * Its client leaves; from any thread. From now on none of its jobs may hold the kernel for ever.
+   * That is no limit that programs see or change: what has been left could lift it.
+   */
+  public void abandon() {
+    abandoned = true;
+    limited.accept(Resource.HOLD, HOLD_WHEN_ABANDONED);
+  }
+
+  /**
    * For how long a job may hold the kernel, in nanoseconds.
    *
-   * @param most the limit of all jobs
+   * @param most the limit of all jobs, {@link #UNLIMITED} for none
    */
   public long holdLimit(long most) {
     long own = limit(Resource.HOLD);
+    if (abandoned && most == UNLIMITED) {
+      own = Math.min(own, HOLD_WHEN_ABANDONED);
+    }
     return own > most / NANOSECONDS_PER_MILLISECOND ? most : own * NANOSECONDS_PER_MILLISECOND;
   }
 

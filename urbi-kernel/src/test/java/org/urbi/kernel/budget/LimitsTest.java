@@ -110,6 +110,19 @@ class LimitsTest {
   }
 
   @Test
+  void jobsOfAClientThatHasLeftDoNotHoldTheKernelForEver() {
+    assertEquals(Budget.UNLIMITED, budget.holdLimit(Budget.UNLIMITED));
+    budget.abandon();
+    assertEquals(1_000_000_000, budget.holdLimit(Budget.UNLIMITED));
+    assertEquals(List.of("hold1000"), monitored);
+    long ofTheKernel = 5_000_000_000L;
+    assertEquals(ofTheKernel, budget.holdLimit(ofTheKernel));
+    assertEquals(Budget.UNLIMITED, budget.limit(Resource.HOLD), "programs do not see it");
+    budget.setLimit(Resource.HOLD, 20);
+    assertEquals(20_000_000, budget.holdLimit(Budget.UNLIMITED));
+  }
+
+  @Test
   void memoryLimitsJobsUnlessOptionsDo() {
     budget.setLimits(Budget.fitting(1 << 30, ""));
     assertEquals(131_072, budget.limit(Resource.JOBS));
