@@ -2,7 +2,6 @@ package org.urbi.kernel.event;
 
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.ConsoleTranscript;
-import org.urbi.kernel.Kernel;
 
 /**
  * Code that goes on again and again, or waits for its time (manual, "whenever", "waituntil",
@@ -364,22 +363,6 @@ class WaitingTest {
         [00013000] *** turn
         sleep(2s);
         """);
-  }
-
-  /** In real time: a kernel that was held up catches up with the turns that were due meanwhile. */
-  @Test
-  void aTurnThatComesLateDoesNotMoveTheNext() throws Exception {
-    try (Kernel kernel = Kernel.builder().start()) {
-      kernel.eval(
-          """
-          var Global.turns = 0;
-          var Global.begin = time;
-          every (5ms) turns++,
-          for (4) { sleep(5ms); var end = time + 30ms; while| (time < end) {} };
-          // At most 20 ms behind; what moved with each late turn would stay at least 80 ms behind.
-          waituntil (time - begin - turns * 5ms < 20ms);
-          """);
-    }
   }
 
   @Test
