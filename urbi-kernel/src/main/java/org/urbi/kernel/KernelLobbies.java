@@ -62,11 +62,9 @@ final class KernelLobbies implements Lobbies {
 
   /** Closes those that share that budget, which is that of a client. */
   void closeCreated(Budget budget) {
-    for (UrbiLobby lobby : List.copyOf(created)) {
-      if (lobby.budget() == budget) {
-        lobby.shell().close();
-      }
-    }
+    List<UrbiLobby> all = new ArrayList<>(created);
+    all.removeIf(lobby -> lobby.budget() != budget);
+    UrbiLobby.closeAll(kernel.scheduler(), all);
   }
 
   private void gone(UrbiLobby lobby) {

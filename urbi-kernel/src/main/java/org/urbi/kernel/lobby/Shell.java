@@ -176,7 +176,7 @@ public final class Shell {
     return messages == null ? received.length() : messages.pending();
   }
 
-  /** Whether it has nothing to do but to wait for input, or for the end. */
+  /** Whether it has nothing to do but to wait. */
   public boolean isDaemon() {
     return job().isDaemon();
   }
@@ -240,6 +240,12 @@ public final class Shell {
 
   /** Ends all that the lobby does. If memory is wanting for that, it can be called again. */
   public void close() {
+    closeAlone();
+    lobby.closeCreated(interpreter.scheduler());
+  }
+
+  /** The same, but for the lobbies that its code has made. */
+  void closeAlone() {
     closed = true;
     if (!stopped) {
       received.setLength(0);
@@ -251,7 +257,6 @@ public final class Shell {
       if (lobby.remoteObjects() != null) {
         lobby.remoteObjects().disconnected();
       }
-      lobby.closeCreated();
       if (job != null) {
         job.terminate();
       }
@@ -374,9 +379,7 @@ public final class Shell {
     return true;
   }
 
-  /**
-   * The running code may wait for an answer that has arrived already, but behind other messages.
-   */
+  /** The running code may wait for an answer that has arrived, but behind other messages. */
   private void lookForAnswers() {
     if (messages != null && messages.hasAnswers()) {
       interpreter.scheduler().atEndOfTick(this::answerIfBlocked);
@@ -516,9 +519,7 @@ public final class Shell {
 
   /**
    * Runs something under the tag of the foreground, its errors included: whoever interrupts it ends
-   * also the code that tells what was thrown.
-   *
-   * @return whether no error has ended it
+   * also the code that tells what was thrown. Returns whether no error has ended it.
    */
   private boolean runsToEnd(Job shell, Runnable action) {
     TagScope scope = shell.enter(foregroundTag.state());

@@ -10,7 +10,9 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.EndInPieces;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.node.Interpreter;
@@ -201,9 +203,20 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   }
 
   /** Ends the lobbies that are to end with it. */
-  void closeCreated() {
-    List.copyOf(created).forEach(lobby -> lobby.shell().close());
+  void closeCreated(Scheduler scheduler) {
+    closeAll(scheduler, created);
     created.clear();
+  }
+
+  /** Ends lobbies, and those that are to end with them. */
+  public static void closeAll(Scheduler scheduler, Collection<UrbiLobby> all) {
+    EndInPieces.begin(
+        scheduler,
+        all,
+        lobby -> {
+          lobby.shell().closeAlone();
+          return lobby.created;
+        });
   }
 
   /** Whether the connection is open. A condition that asks is evaluated again when it closes. */

@@ -67,6 +67,29 @@ class StopsTest {
   }
 
   @Test
+  void theEndOfManyThingsIsMadeInPieces() {
+    loop.start(job -> {
+      List<Integer> first = IntStream.range(0, MANY / 2).boxed().toList();
+      EndInPieces.begin(
+          loop.scheduler,
+          first,
+          each -> {
+            ends.add(each);
+            return each < MANY / 2 ? List.of(each + MANY / 2) : List.of();
+          });
+      loop.say("first " + ends.size());
+      int rounds = 0;
+      while (ends.size() < MANY) {
+        job.yieldNow();
+        rounds++;
+      }
+      loop.say("rounds " + rounds);
+    });
+    assertEquals(List.of("first 500", "rounds 4"), loop.run());
+    assertEquals(IntStream.range(0, MANY).boxed().toList(), ends);
+  }
+
+  @Test
   void inSimulatedTimeNobodyWaits() {
     Loop simulated = new Loop();
     TagScope there = TagScope.branch(simulated.scheduler, tag, simulated.scheduler.rootScope());
