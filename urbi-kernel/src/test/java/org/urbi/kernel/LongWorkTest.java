@@ -1,11 +1,15 @@
 package org.urbi.kernel;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.job.Interruptions;
 
 /**
@@ -116,6 +120,11 @@ class LongWorkTest {
         "(l * 100).asString",
         "(l * 100).join",
         "(l * 100).max",
+        "(l * 100).keys",
+        "(l * 100).reverse",
+        "(l * 100).range(0, 900000)",
+        "(l * 100).hasSame(void.acceptVoid)",
+        "1000000.seq",
       })
   void ofLongLists(String work) {
     long checked =
@@ -125,16 +134,106 @@ class LongWorkTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"d.keys", "d.asList", "d.asString"})
+  @ValueSource(
+      strings = {
+        "d.keys",
+        "d.asList",
+        "d.asString",
+        "d.new",
+        "[=>].extend(d)",
+        "d.hash",
+        "d == e",
+        "Pattern.new(e).match(d)",
+      })
   void ofLargeDictionaries(String work) {
-    long checked = checksOf("var d = [=>]; for| (var i : 30000) d[(i * 7919) % 30011] = i", work);
+    long checked =
+        checksOf(
+            "var d = [=>]; for| (var i : 30000) d[(i * 7919) % 30011] = i; var e = d.new", work);
     assertTrue(checked >= CHECKS, checked + " checks");
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"m * m", "v.asString", "Matrix.new(100000, 10).asString"})
+  @ValueSource(
+      strings = {
+        "m * m",
+        "v.asString",
+        "w.asList",
+        "w + 1",
+        "w * w",
+        "Vector.new(l)",
+        "n.transpose",
+        "n + n",
+        "n / 2",
+        "n.column(0)",
+        "Matrix.new(l, l)",
+        "Matrix.new(100000, 10).asString",
+        "Matrix.new(100000, 0).asString",
+        "Matrix.new(2000000, 0).transpose",
+        "Matrix.new(2000, 0) * Matrix.new(0, 1000)",
+      })
   void ofMatrices(String work) {
-    long checked = checksOf("var m = Matrix.new(200, 200); var v = Vector.new(100000.seq)", work);
+    long checked =
+        checksOf(
+            "var m = Matrix.new(200, 200); var v = Vector.new(100000.seq); var n = Matrix.new(1000000, 1);"
+                + " var l = 1000000.seq; var w = Vector.new(l)",
+            work);
     assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  /** Most of them look at no character. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "((){1000}){1000}",
+        "((){1000}+){1000}",
+        "(?:(?:){1000}){1000}",
+        "(?>(?:){1000}+){1000}",
+        "(?x)  ( # ((\n ?: (  # [\n){1 000} ) {1000}",
+        "(?x: )#(?:(){1000}){1000}|(?:(){1000}){1000}",
+        "[](](?:(){1000}){1000}|(?:(){1000}){1000}",
+        "\\\\Q(?x)[\\\\E(){1000}|((){1000}){1000}",
+        "(?:\\\\A?){20}(?!)|\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?\\\\A?(?!)",
+        "()\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?\\\\1?(?!)",
+        "^?^?^?^?^?^?^?^?^?^?^?^?^?^?^?(?!)",
+        "(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?:|)(?!)",
+        "(?<n>){1000}(?<m>(){1000}){1000}",
+        "(?<=((){1000}){1000})",
+      })
+  void ofExpressions(String expression) {
+    long checked = checksOf("var r = Regexp.new(\"" + expression + "\")", "r.match(\"\")");
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @Test
+  void whatCannotBeEndedIsRefused() {
+    for (String work :
+        List.of(
+            "Matrix.new(65536, 1) * Matrix.new(1, 65536)",
+            "Matrix.new(16777216, 0) * Matrix.new(0, 16777216)",
+            "Path.new(\"/a\" * 100000)",
+            "Path.new(\"/\") / (\"a/\" * 100000)",
+            "File.new(\"/a\" * 100000)",
+            "(\"1\" * 2000000).asFloat",
+            "Regexp.new(\"a|\" * 100000)",
+            "Regexp.new(\"(){2000000}\")",
+            "Regexp.new(\"(?x)(){2 000 000}\")",
+            "Regexp.new(\"\\\\A{2000000,}\")")) {
+      UrbiError refused = assertThrows(UrbiError.class, () -> KERNEL.eval(work + ";"), work);
+      String told = refused.getMessage();
+      assertTrue(
+          told.contains("too l") || told.contains("to float") || told.contains("range"), told);
+    }
+  }
+
+  /** Nobody computes the zeros behind what a number of the machine has. */
+  @Test
+  void ofManyDecimals() {
+    for (String same :
+        List.of(
+            "\"%.999999f\" % 1.5 == \"1.5\" + \"0\" * 999998",
+            "\"%.2000e\" % 1.5e300 == (\"%.1100e\" % 1.5e300).replace(\"e\", \"0\" * 900 + \"e\")",
+            "\"%.2000e\" % 0 == \"0.\" + \"0\" * 2000 + \"e+00\"")) {
+      assertEquals("true", KERNEL.eval(same + ";").toString(), same);
+    }
   }
 }

@@ -64,14 +64,25 @@ public final class UrbiDictionary extends UrbiObject {
     }
   }
 
-  /** Sorting the entries can be ended: there may be millions. A power of two. */
+  /** Going through the entries can be ended: there may be millions. A power of two. */
   private static final int STEPS_BETWEEN_CHECKS = 1 << 10;
 
   private final LinkedHashMap<Key, UrbiObject> entries;
 
   public UrbiDictionary(Shape shape, Map<Key, UrbiObject> entries) {
     super(shape);
-    this.entries = new LinkedHashMap<>(entries);
+    this.entries = LinkedHashMap.newLinkedHashMap(entries.size());
+    int steps = 0;
+    for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
+      step(++steps);
+      this.entries.put(entry.getKey(), entry.getValue());
+    }
+  }
+
+  private void step(int number) {
+    if ((number & (STEPS_BETWEEN_CHECKS - 1)) == 0) {
+      world().passCheckpoint();
+    }
   }
 
   /** The entries, to be read. */
@@ -80,28 +91,36 @@ public final class UrbiDictionary extends UrbiObject {
     return entries;
   }
 
+  /** A copy of the entries, for whoever calls code that may change them meanwhile. */
+  public List<Map.Entry<Key, UrbiObject>> snapshot() {
+    noteContentRead();
+    List<Map.Entry<Key, UrbiObject>> copies = new ArrayList<>(entries.size());
+    for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
+      step(copies.size());
+      copies.add(Map.entry(entry.getKey(), entry.getValue()));
+    }
+    return copies;
+  }
+
   /** The entries in an order that does not depend on the order of insertion. */
   public List<Map.Entry<Key, UrbiObject>> sorted() {
     noteContentRead();
     Ranked[] ranked = new Ranked[entries.size()];
     int next = 0;
     for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
-      if ((next & (STEPS_BETWEEN_CHECKS - 1)) == 0) {
-        world().passCheckpoint();
-      }
+      step(next);
       ranked[next++] = Ranked.of(entry);
     }
     int[] compared = {0};
     Arrays.sort(
         ranked,
         (one, other) -> {
-          if ((++compared[0] & (STEPS_BETWEEN_CHECKS - 1)) == 0) {
-            world().passCheckpoint();
-          }
+          step(++compared[0]);
           return one.compareTo(other);
         });
     List<Map.Entry<Key, UrbiObject>> sorted = new ArrayList<>(ranked.length);
     for (Ranked each : ranked) {
+      step(sorted.size());
       sorted.add(each.entry());
     }
     return sorted;

@@ -11,6 +11,8 @@ public final class StringDistance {
   /** Nobody mistypes what is longer. */
   private static final int LONGEST_NAME = 100;
 
+  private static final int LONG_PIECE = 1 << 16;
+
   private StringDistance() {}
 
   /**
@@ -30,6 +32,9 @@ public final class StringDistance {
       onRow.run();
       current[0] = i;
       for (int j = 1; j <= to.length(); j++) {
+        if (j % LONG_PIECE == 0) {
+          onRow.run();
+        }
         int cost = from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1;
         int best = Math.min(Math.min(current[j - 1], previous[j]) + 1, previous[j - 1] + cost);
         if (i > 1

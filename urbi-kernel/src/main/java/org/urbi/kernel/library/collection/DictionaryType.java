@@ -1,7 +1,6 @@
 package org.urbi.kernel.library.collection;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.builtins.Builtin;
@@ -93,14 +92,19 @@ final class DictionaryType {
   }
 
   @Builtin(doc = "The list of the keys.")
-  static List<UrbiObject> keys(UrbiDictionary self) {
-    return self.sorted().stream().map(entry -> entry.getKey().value()).toList();
+  static List<UrbiObject> keys(Frame caller, UrbiDictionary self) {
+    List<UrbiObject> keys = new ArrayList<>();
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : self.sorted()) {
+      caller.job().worked(1);
+      keys.add(entry.getKey().value());
+    }
+    return keys;
   }
 
   @Builtin(doc = "A Hash, equal for equal dictionaries.")
   static UrbiHash hash(Frame caller, UrbiDictionary self) {
     long code = 5;
-    for (var entry : new LinkedHashMap<>(self.entries()).entrySet()) {
+    for (var entry : self.snapshot()) {
       // The order of the entries makes no difference.
       code +=
           UrbiHash.mix(
@@ -118,7 +122,7 @@ final class DictionaryType {
         || self.entries().size() != other.entries().size()) {
       return false;
     }
-    for (var entry : new LinkedHashMap<>(self.entries()).entrySet()) {
+    for (var entry : self.snapshot()) {
       caller.job().worked(1);
       UrbiObject value = other.entries().get(entry.getKey());
       if (value == null || !Comparison.equal(caller, entry.getValue(), value)) {
@@ -181,7 +185,7 @@ final class DictionaryType {
       doc = "Adds the entries of another dictionary; returns the target.",
       needs = Permission.CHANGE)
   static UrbiObject extend(Frame caller, UrbiDictionary self, UrbiDictionary other) {
-    for (var entry : new LinkedHashMap<>(other.entries()).entrySet()) {
+    for (var entry : other.snapshot()) {
       set(caller, self, entry.getKey().value(), entry.getValue());
     }
     return self;
@@ -215,8 +219,7 @@ final class DictionaryType {
     if (!(pattern instanceof UrbiDictionary other)) {
       return false;
     }
-    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry :
-        new LinkedHashMap<>(other.entries()).entrySet()) {
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : other.snapshot()) {
       UrbiObject value = self.entries().get(entry.getKey());
       if (value == null || !ListSearch.matches(caller, handler, entry.getValue(), value)) {
         return false;

@@ -34,8 +34,14 @@ final class ListSearch {
   }
 
   @Builtin(doc = "Whether an element is that very object.")
-  static boolean hasSame(UrbiList self, UrbiObject that) {
-    return self.elements().stream().anyMatch(e -> e == that);
+  static boolean hasSame(Frame caller, UrbiList self, UrbiObject that) {
+    for (UrbiObject element : self.elements()) {
+      caller.job().worked(1);
+      if (element == that) {
+        return true;
+      }
+    }
+    return false;
   }
 
   @Builtin(doc = "Whether all elements are elements of that list.")

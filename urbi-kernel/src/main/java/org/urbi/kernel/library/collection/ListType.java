@@ -1,7 +1,6 @@
 package org.urbi.kernel.library.collection;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
@@ -74,6 +73,7 @@ final class ListType {
   static List<UrbiObject> keys(Frame caller, UrbiList self) {
     List<UrbiObject> keys = new ArrayList<>();
     for (int i = 0; i < self.elements().size(); i++) {
+      caller.job().worked(1);
       keys.add(values(caller).number(i));
     }
     return keys;
@@ -151,6 +151,7 @@ final class ListType {
     }
     List<UrbiObject> range = new ArrayList<>();
     for (int i = from; i < to; i++) {
+      caller.job().worked(1);
       range.add(elements.get(i < 0 ? i + size : i));
     }
     return range;
@@ -295,9 +296,13 @@ final class ListType {
   }
 
   @Builtin(doc = "The elements, last one first.")
-  static List<UrbiObject> reverse(UrbiList self) {
-    List<UrbiObject> reversed = new ArrayList<>(self.elements());
-    Collections.reverse(reversed);
+  static List<UrbiObject> reverse(Frame caller, UrbiList self) {
+    List<UrbiObject> elements = self.elements();
+    List<UrbiObject> reversed = new ArrayList<>(elements.size());
+    for (int i = elements.size() - 1; i >= 0; i--) {
+      caller.job().worked(1);
+      reversed.add(elements.get(i));
+    }
     return reversed;
   }
 

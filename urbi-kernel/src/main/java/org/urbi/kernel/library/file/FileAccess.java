@@ -28,6 +28,8 @@ import org.urbi.lang.print.StringEscape;
 
 /** The common part of File, Directory and the streams: names, errors, waiting for the disk. */
 public final class FileAccess {
+  private static final int LONGEST_NAME = 1 << 16;
+
   private final Outside outside;
 
   public FileAccess(Outside outside) {
@@ -52,6 +54,14 @@ public final class FileAccess {
   static void checkName(Frame frame, CallSite site, String name) {
     if (name.isEmpty() || name.indexOf('\0') >= 0) {
       throw frame.error(site, Problem.INVALID_PATH, name);
+    }
+    checkLength(frame, site, name);
+  }
+
+  /** Nothing has a longer name; and whoever takes it apart need not ask whether to continue. */
+  static void checkLength(Frame frame, CallSite site, String name) {
+    if (name.length() > LONGEST_NAME) {
+      throw frame.error(site, Problem.PATH_TOO_LONG, name.length());
     }
   }
 

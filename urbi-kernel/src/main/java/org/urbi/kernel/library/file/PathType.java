@@ -37,9 +37,7 @@ final class PathType {
   @Builtin(doc = "Makes it the path of that text.", needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiPath self, String path) {
     FileAccess.checkNotPrototype(caller, site, self, "Path");
-    if (path.isEmpty() || path.indexOf('\0') >= 0) {
-      throw caller.error(site, Problem.INVALID_PATH, path);
-    }
+    FileAccess.checkName(caller, site, path);
     self.setText(path);
     return self;
   }
@@ -84,7 +82,9 @@ final class PathType {
     if (right.startsWith("/")) {
       throw caller.error(site, Problem.ABSOLUTE_PATH, right);
     }
-    return self.sibling(self.text() + "/" + right);
+    String text = self.text() + "/" + right;
+    FileAccess.checkLength(caller, site, text);
+    return self.sibling(text);
   }
 
   @Builtin(value = "==", doc = "Whether that is a path with the same text.")

@@ -1,6 +1,5 @@
 package org.urbi.kernel.library.math;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import org.urbi.kernel.builtin.Arguments;
@@ -19,14 +18,21 @@ final class Elementwise {
   private Elementwise() {}
 
   /** Each element with that number. */
-  static double[] each(double[] left, double right, DoubleBinaryOperator operation) {
-    return Arrays.stream(left).map(x -> operation.applyAsDouble(x, right)).toArray();
+  static double[] each(Frame frame, double[] left, double right, DoubleBinaryOperator operation) {
+    double[] values = new double[left.length];
+    for (int i = 0; i < values.length; i++) {
+      frame.job().worked(1);
+      values[i] = operation.applyAsDouble(left[i], right);
+    }
+    return values;
   }
 
   /** Each element with the one at the same place. */
-  static double[] pairs(double[] left, double[] right, DoubleBinaryOperator operation) {
+  static double[] pairs(
+      Frame frame, double[] left, double[] right, DoubleBinaryOperator operation) {
     double[] values = new double[left.length];
     for (int i = 0; i < values.length; i++) {
+      frame.job().worked(1);
       values[i] = operation.applyAsDouble(left[i], right[i]);
     }
     return values;
@@ -36,6 +42,7 @@ final class Elementwise {
   static double[] numbers(Frame frame, CallSite site, int place, List<UrbiObject> values) {
     double[] numbers = new double[values.size()];
     for (int i = 0; i < numbers.length; i++) {
+      frame.job().worked(1);
       UrbiObject value = values.get(i);
       if (!(value instanceof UrbiFloat number)) {
         throw Arguments.type(frame, site, place, value, "Float");

@@ -193,6 +193,7 @@ public final class FloatType {
     int count = Counting.ofLists(caller, site, 0, self, 1);
     List<UrbiObject> numbers = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
+      caller.job().worked(1);
       numbers.add(number(caller, i));
     }
     return numbers;

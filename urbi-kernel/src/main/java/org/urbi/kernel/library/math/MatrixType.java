@@ -9,6 +9,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -38,10 +39,7 @@ final class MatrixType {
         && arguments[1] instanceof UrbiFloat columns) {
       int height = Counting.nonNegative(frame, site, 1, rows);
       int width = Counting.nonNegative(frame, site, 2, columns);
-      if ((long) height * width > LARGEST) {
-        throw frame.error(site, Problem.MATRIX_TOO_LARGE);
-      }
-      self.set(height, width, new double[height * width]);
+      self.set(height, width, new double[checkedSize(frame, site, height, width)]);
       return;
     }
     List<double[]> rows = new ArrayList<>();
@@ -50,10 +48,25 @@ final class MatrixType {
       Elementwise.requireSame(frame, site, rows.isEmpty() || rows.getFirst().length == row.length);
       rows.add(row);
     }
-    self.set(
-        rows.size(),
-        rows.isEmpty() ? 0 : rows.getFirst().length,
-        rows.stream().flatMapToDouble(Arrays::stream).toArray());
+    self.set(rows.size(), rows.isEmpty() ? 0 : rows.getFirst().length, joined(frame, site, rows));
+  }
+
+  private static double[] joined(Frame frame, CallSite site, List<double[]> rows) {
+    int width = rows.isEmpty() ? 0 : rows.getFirst().length;
+    double[] all = new double[checkedSize(frame, site, rows.size(), width)];
+    for (int i = 0; i < rows.size(); i++) {
+      frame.job().worked(width);
+      System.arraycopy(rows.get(i), 0, all, i * width, width);
+    }
+    return all;
+  }
+
+  /** How many elements such a matrix has; an error if those are too many. */
+  private static int checkedSize(Frame frame, CallSite site, int rows, int columns) {
+    if ((long) rows * columns > LARGEST) {
+      throw frame.error(site, Problem.MATRIX_TOO_LARGE);
+    }
+    return rows * columns;
   }
 
   private static double[] row(Frame frame, CallSite site, int place, UrbiObject given) {
@@ -107,6 +120,7 @@ final class MatrixType {
     int column = Counting.index(frame, site, index, self.columns());
     double[] values = new double[self.rows()];
     for (int i = 0; i < values.length; i++) {
+      frame.job().worked(1);
       values[i] = self.elements()[i * self.columns() + column];
     }
     return vector(self, values);
@@ -117,9 +131,10 @@ final class MatrixType {
   }
 
   @Builtin(doc = "The rows as columns.")
-  static UrbiMatrix transpose(UrbiMatrix self) {
+  static UrbiMatrix transpose(Frame frame, UrbiMatrix self) {
     double[] values = new double[self.elements().length];
     for (int i = 0; i < self.rows(); i++) {
+      frame.job().worked(1 + self.columns());
       for (int j = 0; j < self.columns(); j++) {
         values[j * self.rows() + i] = self.elements()[i * self.columns() + j];
       }
@@ -135,11 +150,12 @@ final class MatrixType {
       DoubleBinaryOperator operation) {
     double[] values =
         switch (that) {
-          case UrbiFloat number -> Elementwise.each(self.elements(), number.value(), operation);
+          case UrbiFloat number ->
+              Elementwise.each(frame, self.elements(), number.value(), operation);
           case UrbiMatrix other -> {
             boolean same = other.rows() == self.rows() && other.columns() == self.columns();
             Elementwise.requireSame(frame, site, same);
-            yield Elementwise.pairs(self.elements(), other.elements(), operation);
+            yield Elementwise.pairs(frame, self.elements(), other.elements(), operation);
           }
           default -> throw Arguments.type(frame, site, 1, that, "Matrix");
         };
@@ -159,7 +175,9 @@ final class MatrixType {
   @Builtin(value = "/", doc = "The quotient of each element by a number.")
   static UrbiMatrix divided(Frame frame, CallSite site, UrbiMatrix self, double that) {
     return self.sibling(
-        self.rows(), self.columns(), Elementwise.each(self.elements(), that, (x, y) -> x / y));
+        self.rows(),
+        self.columns(),
+        Elementwise.each(frame, self.elements(), that, (x, y) -> x / y));
   }
 
   @Builtin(value = "*", doc = "The product with a matrix, a vector, or a number.")
@@ -167,23 +185,26 @@ final class MatrixType {
     return switch (that) {
       case UrbiVector vector -> {
         Elementwise.requireSame(frame, site, self.columns() == vector.elements().length);
-        yield vector.sibling(product(frame, self, vector.elements(), 1));
+        yield vector.sibling(product(frame, site, self, vector.elements(), 1));
       }
       case UrbiMatrix other -> {
         Elementwise.requireSame(frame, site, self.columns() == other.rows());
         yield self.sibling(
-            self.rows(), other.columns(), product(frame, self, other.elements(), other.columns()));
+            self.rows(),
+            other.columns(),
+            product(frame, site, self, other.elements(), other.columns()));
       }
       default -> combined(frame, site, self, that, (x, y) -> x * y);
     };
   }
 
   /** The product with a matrix of that number of columns. */
-  private static double[] product(Frame frame, UrbiMatrix left, double[] right, int width) {
-    double[] values = new double[left.rows() * width];
+  private static double[] product(
+      Frame frame, CallSite site, UrbiMatrix left, double[] right, int width) {
+    double[] values = new double[checkedSize(frame, site, left.rows(), width)];
     for (int i = 0; i < left.rows(); i++) {
       for (int j = 0; j < width; j++) {
-        frame.job().worked(left.columns());
+        frame.job().worked(1 + left.columns());
         for (int k = 0; k < left.columns(); k++) {
           values[i * width + j] += left.elements()[i * left.columns() + k] * right[k * width + j];
         }
@@ -209,6 +230,7 @@ final class MatrixType {
   static String asString(Frame frame, UrbiMatrix self) {
     List<String> rows = new ArrayList<>();
     for (int i = 0; i < self.rows(); i++) {
+      frame.job().worked(Steps.OBJECT);
       int from = i * self.columns();
       rows.add("[" + Elementwise.text(frame, self.elements(), from, from + self.columns()) + "]");
     }

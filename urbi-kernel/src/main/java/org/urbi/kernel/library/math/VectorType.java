@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.math;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
@@ -66,10 +67,10 @@ final class VectorType {
       DoubleBinaryOperator operation) {
     return switch (that) {
       case UrbiFloat number ->
-          self.sibling(Elementwise.each(self.elements(), number.value(), operation));
+          self.sibling(Elementwise.each(frame, self.elements(), number.value(), operation));
       case UrbiVector other -> {
         Elementwise.requireSame(frame, site, other.elements().length == self.elements().length);
-        yield self.sibling(Elementwise.pairs(self.elements(), other.elements(), operation));
+        yield self.sibling(Elementwise.pairs(frame, self.elements(), other.elements(), operation));
       }
       default -> throw Arguments.type(frame, site, 1, that, "Vector");
     };
@@ -116,9 +117,14 @@ final class VectorType {
   }
 
   @Builtin(doc = "The list of the elements.")
-  static List<UrbiObject> asList(UrbiVector self) {
+  static List<UrbiObject> asList(Frame frame, UrbiVector self) {
     Values values = self.world().values();
-    return Arrays.stream(self.elements()).<UrbiObject>mapToObj(values::number).toList();
+    List<UrbiObject> numbers = new ArrayList<>(self.elements().length);
+    for (double element : self.elements()) {
+      frame.job().worked(1);
+      numbers.add(values.number(element));
+    }
+    return numbers;
   }
 
   @Builtin(doc = "The elements between angle brackets.")

@@ -17,6 +17,9 @@ public final class Formatting {
   /** Below it, halves of integers are numbers, too. */
   private static final double EXACT = 1L << 51;
 
+  /** Behind the point, and in all, a number has fewer digits: others are zeros. */
+  private static final int MOST_DIGITS = 1100;
+
   private Formatting() {}
 
   /** Any value. */
@@ -100,7 +103,9 @@ public final class Formatting {
     if (precision < POWERS_OF_TEN.length && size * POWERS_OF_TEN[precision] < EXACT) {
       return fixedByLong(size, precision);
     }
-    return new BigDecimal(size).setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
+    int known = Math.min(precision, MOST_DIGITS);
+    return new BigDecimal(size).setScale(known, RoundingMode.HALF_EVEN).toPlainString()
+        + "0".repeat(precision - known);
   }
 
   /**
@@ -126,14 +131,15 @@ public final class Formatting {
 
   private static String scientific(BigDecimal size, int precision) {
     int exponent = 0;
+    int known = Math.min(precision, MOST_DIGITS);
     BigDecimal rounded = size;
     if (size.signum() != 0) {
-      rounded = size.round(new MathContext(precision + 1, RoundingMode.HALF_EVEN));
+      rounded = size.round(new MathContext(known + 1, RoundingMode.HALF_EVEN));
       exponent = rounded.precision() - rounded.scale() - 1;
     }
     String mantissa =
-        rounded.movePointLeft(exponent).setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
-    return mantissa + exponent(exponent);
+        rounded.movePointLeft(exponent).setScale(known, RoundingMode.HALF_EVEN).toPlainString();
+    return mantissa + "0".repeat(precision - known) + exponent(exponent);
   }
 
   private static String exponent(int exponent) {

@@ -28,6 +28,7 @@ final class InterruptibleText implements CharSequence {
 
   @Override
   public int length() {
+    checkpoint.pass();
     return text.length();
   }
 

@@ -21,32 +21,12 @@ final class RegexpSyntax {
    */
   static Pattern compile(String text) {
     try {
-      return Pattern.compile(withBeginnings(text), FLAGS);
+      return Pattern.compile(RegexpTranslation.of(text), FLAGS);
     } catch (PatternSyntaxException e) {
       // Its place is to be one of the text that was given.
       Pattern.compile(text, FLAGS);
       throw e;
     }
-  }
-
-  /** Java's {@code ^} matches at no end of a text; so it gets an alternative that does. */
-  private static String withBeginnings(String text) {
-    StringBuilder out = new StringBuilder();
-    int depth = 0;
-    for (int i = 0; i < text.length(); i++) {
-      char c = text.charAt(i);
-      if (c == '\\' && i + 1 < text.length()) {
-        out.append(c).append(text.charAt(++i));
-        continue;
-      }
-      if (c == '[') {
-        depth++;
-      } else if (c == ']' && depth > 0) {
-        depth--;
-      }
-      out.append(c == '^' && depth == 0 ? "(?:^|\\A)" : String.valueOf(c));
-    }
-    return out.toString();
   }
 
   /** The error in a regular expression, in the words of Boost where it has any. */

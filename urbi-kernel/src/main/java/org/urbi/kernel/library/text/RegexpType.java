@@ -23,6 +23,11 @@ import org.urbi.lang.print.StringEscape;
     doc = "A regular expression, with the syntax of Perl.",
     needs = Permission.NOTHING)
 final class RegexpType {
+  /** Compiling a longer one would take long, and cannot be ended. */
+  private static final int LONGEST_EXPRESSION = 1 << 16;
+
+  private static final int SHOWN_OF_LONG = 100;
+
   private RegexpType() {}
 
   static UrbiObject newPrototype(World world) {
@@ -33,6 +38,10 @@ final class RegexpType {
   static UrbiObject init(Frame caller, CallSite site, UrbiRegexp self, String text) {
     if (text.isEmpty()) {
       throw invalid(caller, site, text, Problem.EMPTY_EXPRESSION.text());
+    }
+    if (text.length() > LONGEST_EXPRESSION) {
+      String beginning = text.substring(0, SHOWN_OF_LONG);
+      throw invalid(caller, site, beginning, Problem.EXPRESSION_TOO_LONG.text());
     }
     try {
       self.setPattern(text, RegexpSyntax.compile(text));
@@ -61,6 +70,8 @@ final class RegexpType {
       doc = "Whether a part of a string matches.")
   static boolean match(Frame caller, UrbiRegexp self, String str) {
     Matcher matcher = self.pattern().matcher(new InterruptibleText(str, caller.job()));
+    // It is about the whole text; so they only make it ask for the length: RegexpTranslation.
+    matcher.useTransparentBounds(true).useAnchoringBounds(false);
     List<String> groups = new ArrayList<>();
     boolean found = matcher.find();
     if (found) {

@@ -1,7 +1,6 @@
 package org.urbi.kernel.library.text;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
@@ -45,6 +44,7 @@ final class StringText {
     if (sep instanceof UrbiList list) {
       separators = new ArrayList<>();
       for (UrbiObject one : list.elements()) {
+        caller.job().worked(1);
         separators.add(Arguments.text(caller, site, 1, one));
       }
     } else if (sep != null) {
@@ -77,8 +77,11 @@ final class StringText {
       return characters(text, limit, job);
     }
     boolean isLetter = separators.size() == 1 && separators.getFirst().length() == 1;
-    List<String> longestFirst =
-        separators.stream().sorted(Comparator.comparingInt(String::length).reversed()).toList();
+    List<String> longestFirst = new ArrayList<>(separators);
+    longestFirst.sort((one, other) -> {
+      job.worked(1);
+      return Integer.compare(other.length(), one.length());
+    });
     List<String> parts = new ArrayList<>();
     int start = 0;
     int at = 0;
@@ -146,6 +149,7 @@ final class StringText {
   static UrbiObject closest(Frame caller, CallSite site, UrbiString self, UrbiList set) {
     List<String> candidates = new ArrayList<>();
     for (UrbiObject one : set.elements()) {
+      caller.job().worked(1);
       candidates.add(Arguments.text(caller, site, 1, one));
     }
     String closest =

@@ -22,7 +22,6 @@ import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
-import org.urbi.lang.print.StringEscape;
 
 /** Strings (manual, "String"): operators, conversions and parts. */
 @UrbiType(
@@ -33,6 +32,9 @@ import org.urbi.lang.print.StringEscape;
 public final class StringType {
   /** So many pairs of characters may be compared between two checks whether to continue. */
   private static final int SEARCHED = 1 << 20;
+
+  /** Reading a longer number cannot be ended; and nobody means it. */
+  private static final int LONGEST_NUMBER = 1 << 20;
 
   private StringType() {}
 
@@ -64,7 +66,7 @@ public final class StringType {
   static double asFloat(Frame caller, CallSite site, UrbiString self) {
     Double number = parseNumber(self.value());
     if (number == null) {
-      throw caller.error(site, Problem.NOT_A_NUMBER, StringEscape.quote(self.value()));
+      throw caller.error(site, Problem.NOT_A_NUMBER, Printing.quoted(caller, self.value()));
     }
     return number;
   }
@@ -78,7 +80,9 @@ public final class StringType {
     if (digits.equals("nan")) {
       return Double.NaN;
     }
-    return isNumber(digits) ? sign * Double.parseDouble(digits) : null;
+    return digits.length() <= LONGEST_NUMBER && isNumber(digits)
+        ? sign * Double.parseDouble(digits)
+        : null;
   }
 
   /** Whether it is all digits, with a point or not, and perhaps an exponent. */
