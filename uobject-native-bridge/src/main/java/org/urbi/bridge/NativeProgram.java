@@ -2,16 +2,21 @@ package org.urbi.bridge;
 
 import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 import urbi.remote.RemoteProgram;
 import urbi.thread.GuardedThreads;
+import urbi.thread.InternalFailure;
 
 /**
  * A program of C++ with UObjects of its own, which has started this Java virtual machine in its
  * process ({@code urbi/umain.hh}) and is connected to a server.
  */
 public final class NativeProgram {
+  private static final String THREAD = "urbi-main";
+
   private NativeProgram() {}
 
   /**
@@ -42,13 +47,28 @@ public final class NativeProgram {
     if (program == null) {
       return 1;
     }
+    return start(onRunning -> run(words, program, onRunning), ends, Thread::start);
+  }
+
+  /**
+   * Starts it on a thread of its own. Native code calls, so nothing is thrown.
+   *
+   * @param program runs it, tells when it is connected, and returns its exit status
+   * @param begin starts the thread, or throws if there is none
+   */
+  static int start(ToIntFunction<Runnable> program, boolean ends, Consumer<Thread> begin) {
     CompletableFuture<Integer> begun = new CompletableFuture<>();
     Runnable task =
         () -> {
-          int status = run(words, program, () -> begun.complete(0));
+          int status = program.applyAsInt(() -> begun.complete(0));
           ended(status, begun, ends);
         };
-    GuardedThreads.SDK.platform("urbi-main", task, defect -> ended(1, begun, ends)).start();
+    try {
+      begin.accept(GuardedThreads.SDK.platform(THREAD, task, defect -> ended(1, begun, ends)));
+    } catch (OutOfMemoryError e) {
+      InternalFailure.log("the thread " + THREAD, e);
+      return 1;
+    }
     return begun.join();
   }
 

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.outside.ChildProcess;
@@ -41,6 +42,7 @@ final class IsolatedProcess implements ModuleProcess {
   private final Duration startLimit;
   private final Duration maxHold;
   private final Trace trace;
+  private final Consumer<Thread> begin;
   private final ModuleOutput output;
   private volatile boolean started;
   private @Nullable Process process;
@@ -52,13 +54,15 @@ final class IsolatedProcess implements ModuleProcess {
       ModuleNetwork network,
       Duration startLimit,
       Duration maxHold,
-      Trace trace) {
+      Trace trace,
+      Consumer<Thread> begin) {
     this.file = file;
     this.peer = peer;
     this.network = network;
     this.startLimit = startLimit;
     this.maxHold = maxHold;
     this.trace = trace;
+    this.begin = begin;
     output = new ModuleOutput(line -> trace.log(name() + ": " + line));
   }
 
@@ -99,8 +103,8 @@ final class IsolatedProcess implements ModuleProcess {
         FailureLog.THREADS.platform(
             "urbi-module-end", () -> awaitEnd(running, opened, reader), this::failed);
     try {
-      reader.start();
-      end.start();
+      begin.accept(reader);
+      begin.accept(end);
     } catch (OutOfMemoryError e) {
       opened.close();
       failed(e);

@@ -2,6 +2,7 @@ package org.urbi.server.isolated;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.function.Consumer;
 import org.urbi.kernel.remote.ModuleProcess;
 import org.urbi.kernel.remote.ModuleProcesses;
 import org.urbi.kernel.remote.RemotePeer;
@@ -17,12 +18,21 @@ public final class IsolatedProcesses implements ModuleProcesses, AutoCloseable {
   private final Duration maxHold;
   private final Trace trace;
   private final ModuleNetwork network;
+  private final Consumer<Thread> begin;
 
   /**
    * @param startLimit how long a process may take to start its module
    * @param maxHold how long code of a module may hold up the rest of it; zero for any time
    */
   public IsolatedProcesses(Duration startLimit, Duration maxHold, Trace trace) {
+    this(startLimit, maxHold, trace, Thread::start);
+  }
+
+  /**
+   * @param begin starts the threads that attend to a process, or throws if there are none
+   */
+  IsolatedProcesses(Duration startLimit, Duration maxHold, Trace trace, Consumer<Thread> begin) {
+    this.begin = begin;
     this.startLimit = startLimit;
     this.maxHold = maxHold;
     this.trace = trace;
@@ -31,7 +41,7 @@ public final class IsolatedProcesses implements ModuleProcesses, AutoCloseable {
 
   @Override
   public ModuleProcess process(Path file, RemotePeer peer) {
-    return new IsolatedProcess(file, peer, network, startLimit, maxHold, trace);
+    return new IsolatedProcess(file, peer, network, startLimit, maxHold, trace, begin);
   }
 
   @Override

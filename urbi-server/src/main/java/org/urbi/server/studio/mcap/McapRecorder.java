@@ -84,6 +84,20 @@ public final class McapRecorder implements AutoCloseable {
       Consumer<String> log,
       Runnable broken)
       throws IOException {
+    this(path, connect, watched, log, broken, Thread::start);
+  }
+
+  /**
+   * @param begin starts the thread that writes, or throws if there is none
+   */
+  McapRecorder(
+      Path path,
+      Function<Client, Connection> connect,
+      List<String> watched,
+      Consumer<String> log,
+      Runnable broken,
+      Consumer<Thread> begin)
+      throws IOException {
     this.path = path;
     this.log = log;
     this.broken = broken;
@@ -92,7 +106,7 @@ public final class McapRecorder implements AutoCloseable {
     connection = connect.apply(new Observer());
     connection.feed(new Feed(), true, watched);
     try {
-      writer.start();
+      begin.accept(writer);
     } catch (OutOfMemoryError e) {
       // Nobody would take what the kernel tells.
       connection.close();
