@@ -57,21 +57,21 @@ public final class RclNode implements TwoHost {
     this.installation = installation;
     reports = new Reports(people);
     arrivals = new Arrivals(trouble -> reports.tell("what has come", trouble));
-    session =
-        new Session(
-            installation.functions(),
-            settings.domain(),
-            name(),
-            this::changed,
-            trouble -> reports.tell("the graph", trouble));
+    try {
+      session =
+          new Session(installation.functions(), settings.domain(), name(), this::changed, reports);
+    } catch (RuntimeException | Error e) {
+      arrivals.close();
+      throw e;
+    }
     graph = new NodeGraph(session);
     try {
       conventions = new TwoConventions(this, clock, identity());
+      session.begin();
     } catch (RuntimeException | Error e) {
       close();
       throw e;
     }
-    session.begin();
   }
 
   /** What no other node has, here or elsewhere. */

@@ -3,20 +3,19 @@ package org.urbi.ros.rcl;
 import java.lang.foreign.Arena;
 import java.lang.foreign.MemorySegment;
 import java.time.Duration;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.rcl.CFunctions.Structure;
+import org.urbi.ros.two.Reports;
 import urbi.thread.GuardedThreads;
 
 /**
  * A context of {@code rcl} with one node in it, and a thread that waits for changes of the graph.
  */
 final class Session implements AutoCloseable {
-  /** As long a thread has that waits for nothing any more. */
-  private static final Duration PATIENCE = Duration.ofSeconds(5);
-
   /** No structure that is kept here is larger. */
   private static final long ROOM = 256;
 
@@ -24,6 +23,7 @@ final class Session implements AutoCloseable {
   private static final long FOR_EVER = -1;
 
   private final CFunctions c;
+  private final Reports reports;
   private final Consumer<Throwable> troubles;
   private final Arena arena = Arena.ofAuto();
   private final MemorySegment allocator;
@@ -41,11 +41,12 @@ final class Session implements AutoCloseable {
    *
    * @param name the full name of the node
    * @param changed is called when the graph has changed, by a thread of its own
-   * @param troubles are told what that throws
+   * @param reports are told what that throws, and what else goes wrong
    */
-  Session(CFunctions c, int domain, String name, Runnable changed, Consumer<Throwable> troubles) {
+  Session(CFunctions c, int domain, String name, Runnable changed, Reports reports) {
     this.c = c;
-    this.troubles = troubles;
+    this.reports = reports;
+    this.troubles = trouble -> reports.tell("the graph", trouble);
     allocator = c.structure("rcutils_get_default_allocator", arena).asSlice(0, ALLOCATOR);
     MemorySegment options = arena.allocate(ROOM, Long.BYTES);
     c.check("rcl_init_options_init", options, new Structure(allocator));
@@ -159,22 +160,31 @@ final class Session implements AutoCloseable {
     closing = true;
     wake();
     try {
-      if (waiting.isAlive() && !waiting.join(PATIENCE)) {
-        // What it may use must not be taken away.
-        troubles.accept(new RosException("the middleware does not end"));
-        return;
-      }
+      // What they may use must not be taken away.
+      if (waiting.isAlive() && !comes("the thread that waits for changes", waiting::join)) return;
+      if (!comes("a call of the middleware", this::lockedWithin)) return;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return;
     }
-    life.writeLock().lock();
     try {
       closed = true;
       endAll();
     } finally {
       life.writeLock().unlock();
     }
+  }
+
+  private boolean lockedWithin(Duration time) throws InterruptedException {
+    return life.writeLock().tryLock(time.toNanos(), TimeUnit.NANOSECONDS);
+  }
+
+  /** Whether something that is to end does so in the end. People are told if it takes long. */
+  private boolean comes(String what, Patience.Awaited awaited) throws InterruptedException {
+    String end = "the end of the node: ";
+    boolean come = Patience.USUAL.await(awaited, () -> reports.tell(end + "waiting for " + what));
+    if (!come) reports.tell(end + what + " does not end and is left behind");
+    return come;
   }
 
   /** Each ends even if another does not; what has not begun takes no notice. */

@@ -1,0 +1,33 @@
+package org.urbi.ros.rcl;
+
+import java.time.Duration;
+
+/**
+ * Waits at the end for what may hang in the middleware: after a while it says so, and in the end it
+ * gives up, because somebody else waits for it in turn.
+ *
+ * @param silent as long nothing is said
+ * @param limit as long it waits in all
+ */
+record Patience(Duration silent, Duration limit) {
+  static final Patience USUAL = new Patience(Duration.ofSeconds(1), Duration.ofSeconds(5));
+
+  /** What is waited for. */
+  @FunctionalInterface
+  interface Awaited {
+    /** Whether it comes within that time. */
+    boolean comesWithin(Duration time) throws InterruptedException;
+  }
+
+  /**
+   * Waits.
+   *
+   * @param waits is called if it takes longer than nobody needs to know
+   * @return whether it has come
+   */
+  boolean await(Awaited what, Runnable waits) throws InterruptedException {
+    if (what.comesWithin(silent)) return true;
+    waits.run();
+    return what.comesWithin(limit.minus(silent));
+  }
+}
