@@ -74,6 +74,7 @@ class LongWorkTest {
         "s.split(\"\")",
         "s.asList",
         "Formatter.new(s)",
+        "(\"%999999d\" * 40) % ([1] * 40)",
       })
   void ofLongStrings(String work) {
     long checked = checksOf("var s = \"a\" * 1000000", work);

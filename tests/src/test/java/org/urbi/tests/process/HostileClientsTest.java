@@ -30,6 +30,14 @@ class HostileClientsTest {
           "var e = Event.new| at (e?) {e!|e!}; e!;",
           "var o = Object.new| for|(20000) o=o.new; o.nowhere;",
           "Regexp.new(\"(a*)*b\").match(\"a\" * 40);",
+          "Regexp.new(\"((){1000000}){1000000}\").match(\"a\");",
+          "Matrix.new(16777216, 0) * Matrix.new(0, 16777216);",
+          "class A { function '<'(o) { loop|{} } }; [A.new, A.new].sort;",
+          "class A { function hash() { loop|{} } }; [A.new => 1];",
+          "class A { function hash() { 1 } }; var d = [=>]| for| (var i: 100000) d[A.new] = i;",
+          "var t = Tag.new| at (t.leave?) { loop|{} }; t: { sleep(1s) }, t.stop;",
+          "try { loop|{} } finally { loop|{} };",
+          "System.eval(\"1;\" * 1000000);",
           "1" + "&1".repeat(50_000) + ";");
 
   /** What fills the memory. */
@@ -167,6 +175,43 @@ class HostileClientsTest {
       assertEquals(0, server.shutDown());
     } finally {
       closeAll();
+    }
+  }
+
+  /** What they add to a variable is executed by whoever writes or reads it. */
+  @Test
+  void hooksOfAnotherClientEndNobodyButWhoMeetsThem() throws Exception {
+    try (ServerProcess server = ServerProcess.in(folder, "--budget", "hold=100");
+        Judge judge = Judge.of(server);
+        ConsoleClient hostile = server.connect();
+        ConsoleClient writer = server.connect()) {
+      hostile.answers(
+          "class Global.Hooked { var endless = 0; var slow = 0; var failing = 0;"
+              + " for (var name : [\"endless\", \"slow\", \"failing\"]) UVar.new(this, name) }|;"
+              + "Hooked.&endless.notifyChange(closure () { loop|{} })|;"
+              + "Hooked.&slow.notifyAccess(closure () { loop|{} })|;"
+              + "Hooked.&failing.notifyChange(closure () { throw Exception.new(\"of a hook\") })|;"
+              + "Hooked.&failing.notifyChange(closure () { Hooked.failing += 1 })|;"
+              + "Hooked.&failing.notifyChange(function () { echo(\"the third\") })|;"
+              + "at (Hooked.slow > 10) {};");
+      for (String meets : List.of("Hooked.endless = 1|;", "Hooked.slow|;")) {
+        String told = String.join("\n", writer.answers(meets));
+        assertTrue(told.contains("has held the kernel for too long"), told);
+        judge.isAnswered(meets);
+      }
+      assertEquals(List.of("1"), shown(writer.answers("Hooked.endless;")));
+      assertEquals(
+          List.of(
+              "!!! Exception caught while processing notify on Hooked.failing:",
+              "!!! of a hook",
+              "*** the third"),
+          shown(writer.answers("Hooked.failing = 1|;")).stream()
+              .filter(line -> !line.contains("called from"))
+              .map(line -> line.replaceFirst("!!! [0-9.-]+: ", "!!! "))
+              .toList());
+      assertEquals(List.of("2"), shown(writer.answers("Hooked.failing;")));
+      judge.isAnswered("a hook that fails");
+      assertEquals(0, server.shutDown());
     }
   }
 

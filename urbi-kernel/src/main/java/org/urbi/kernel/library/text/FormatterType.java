@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -94,6 +95,11 @@ final class FormatterType {
     return fill(caller, site, self.pieces(), args);
   }
 
+  private static void append(Frame caller, StringBuilder out, String piece) {
+    caller.job().worked(Steps.ofCharacters(piece.length()));
+    out.append(piece);
+  }
+
   /** The string that a format string makes of arguments. */
   static String format(Frame caller, CallSite site, String format, UrbiObject args) {
     return fill(caller, site, cut(caller, site, format), args);
@@ -111,9 +117,9 @@ final class FormatterType {
         if (used >= values.size()) {
           throw caller.error(site, Problem.TOO_FEW_FOR_FORMAT);
         }
-        out.append(Formatting.format(caller, site.calledName(), values.get(used++), info));
+        append(caller, out, Formatting.format(caller, site.calledName(), values.get(used++), info));
       } else {
-        out.append(((UrbiString) piece).value());
+        append(caller, out, ((UrbiString) piece).value());
       }
     }
     if (used < values.size()) {
