@@ -78,7 +78,8 @@ public interface UContext {
    * Makes a function a method of the urbiscript object. A function of that name is replaced.
    *
    * <p>The result is converted by its dynamic type; {@code void} is void. If it is a {@link
-   * java.util.concurrent.CompletionStage}, the calling job waits for it while others run.
+   * java.util.concurrent.CompletionStage}, the calling job waits for it while others run. If the
+   * job is stopped meanwhile, a plugged object has its {@code CompletableFuture} cancelled.
    */
   void bindFunction(UObject object, String name, UCallback function);
 

@@ -4,6 +4,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
@@ -11,7 +12,9 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.message.Outcome;
 
-/** A result that a job waits for while others run. */
+/**
+ * A result that a job waits for while others run. If the job is stopped, nobody wants it any more.
+ */
 final class AwaitedResult {
   /** Seconds that a replay gives a component for what it had done in the recorded run. */
   private static final int PATIENCE = 2;
@@ -19,6 +22,7 @@ final class AwaitedResult {
   private final Scheduler scheduler;
   private final PendingAnswer answer;
   private boolean waiting;
+  private boolean there;
 
   /** What the kernel thread itself has brought about; it passes no inbox. */
   private @Nullable Object own;
@@ -39,10 +43,44 @@ final class AwaitedResult {
     if (scheduler.journal().isReplay()) {
       answer.before(() -> catchUp(stage));
     }
-    return switch (answer.await()) {
+    Outcome outcome;
+    try {
+      outcome = answer.await();
+    } finally {
+      // What comes now comes as a message, as in the recorded run, or for nobody.
+      waiting = false;
+    }
+    there = true;
+    return switch (outcome) {
       case Outcome.Value value -> own == null ? value.data().value() : own;
       case Outcome.Failure failure -> throw new CompletionException(failure.thrown());
     };
+  }
+
+  /**
+   * The same; if the job is stopped, the stage is cancelled, so that the component need not go on.
+   *
+   * @param troubles are told what a stage throws that does not want to be cancelled
+   * @throws CompletionException if the result is a failure
+   */
+  @Nullable Object await(CompletionStage<?> stage, Consumer<Throwable> troubles) {
+    try {
+      return await(stage);
+    } finally {
+      if (!there) {
+        cancel(stage, troubles);
+      }
+    }
+  }
+
+  private static void cancel(CompletionStage<?> stage, Consumer<Throwable> troubles) {
+    try {
+      // Of a stage that cannot be completed by others, this is a copy.
+      stage.toCompletableFuture().cancel(false);
+    } catch (RuntimeException e) {
+      // The job is being stopped: that goes on.
+      troubles.accept(e);
+    }
   }
 
   /**

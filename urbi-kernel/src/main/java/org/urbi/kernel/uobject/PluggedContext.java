@@ -197,9 +197,13 @@ public final class PluggedContext implements UContext {
 
   // ------------------------------------------------------------------ calls of components
 
-  /** Waits for a result while other jobs run; on the kernel thread. */
+  /**
+   * Waits for a result while other jobs run, and cancels it if the job is stopped; on the kernel
+   * thread.
+   */
   @Nullable Object await(Frame frame, CompletionStage<?> stage) {
-    return new AwaitedResult(frame.job()).await(stage);
+    return new AwaitedResult(frame.job())
+        .await(stage, e -> report(JavaFailures.caught(JavaFailures.calling("cancel"), e)));
   }
 
   /** Runs a threaded call for whose result nobody waits; on the kernel thread. */
