@@ -1,7 +1,6 @@
 package org.urbi.ros.uobject;
 
 import java.util.concurrent.CompletionStage;
-import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.Templates;
@@ -23,7 +22,7 @@ public final class RosAction extends UObject implements AutoCloseable {
   private final UVar seconds = new UVar();
   private final Patience patience;
   private volatile String action = "";
-  private volatile @Nullable ActionClient client;
+  private final Held<ActionClient> held = new Held<>(ActionClient::close);
 
   public RosAction(String name) {
     super(name);
@@ -35,17 +34,18 @@ public final class RosAction extends UObject implements AutoCloseable {
 
   /** Looks the action up. The job waits until it is there. */
   public CompletionStage<Void> init(String name) {
-    return Ros.of(this)
-        .thenCompose(node -> {
-          action = node.resolve(name);
-          return node.actions().client(name, null);
-        })
-        .thenAccept(found -> client = found);
+    return held.hold(
+        Ros.of(this)
+            .thenCompose(node -> {
+              action = node.resolve(name);
+              return node.actions().client(name, null);
+            }),
+        () -> {});
   }
 
   /** What sends goals. */
   ActionClient client() {
-    ActionClient known = client;
+    ActionClient known = held.get();
     if (known == null) {
       throw new RosException(action + " is not initialized");
     }
@@ -84,9 +84,6 @@ public final class RosAction extends UObject implements AutoCloseable {
 
   @Override
   public void close() {
-    ActionClient known = client;
-    if (known != null) {
-      known.close();
-    }
+    held.close();
   }
 }

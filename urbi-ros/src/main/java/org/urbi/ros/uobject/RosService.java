@@ -1,7 +1,6 @@
 package org.urbi.ros.uobject;
 
 import java.util.concurrent.CompletionStage;
-import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.message.Templates;
@@ -19,7 +18,7 @@ public final class RosService extends UObject implements AutoCloseable {
   private final UVar seconds = new UVar();
   private final Patience patience;
   private volatile String service = "";
-  private volatile @Nullable ServiceClient client;
+  private final Held<ServiceClient> held = new Held<>(ServiceClient::close);
 
   public RosService(String name) {
     super(name);
@@ -35,19 +34,17 @@ public final class RosService extends UObject implements AutoCloseable {
    * @param keepAlive whether the connection is kept between requests
    */
   public CompletionStage<Void> init(String name, boolean keepAlive) {
-    return Ros.of(this)
-        .thenCompose(node -> {
-          service = node.resolve(name);
-          return node.client(name, null, keepAlive);
-        })
-        .thenAccept(found -> {
-          client = found;
-          initialized.setValue(1);
-        });
+    return held.hold(
+        Ros.of(this)
+            .thenCompose(node -> {
+              service = node.resolve(name);
+              return node.client(name, null, keepAlive);
+            }),
+        () -> initialized.setValue(1));
   }
 
   private ServiceClient client() {
-    ServiceClient known = client;
+    ServiceClient known = held.get();
     if (known == null) {
       throw new RosException(service + " is not initialized");
     }
@@ -79,9 +76,6 @@ public final class RosService extends UObject implements AutoCloseable {
 
   @Override
   public void close() {
-    ServiceClient known = client;
-    if (known != null) {
-      known.close();
-    }
+    held.close();
   }
 }

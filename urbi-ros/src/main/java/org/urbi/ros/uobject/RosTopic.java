@@ -47,6 +47,11 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   private volatile @Nullable Subscription subscription;
   private volatile @Nullable Publisher publisher;
 
+  /** What a job waits for that subscribes or advertises; one of {@link #begin}. */
+  private @Nullable CompletableFuture<Void> beginning;
+
+  private boolean closed;
+
   public RosTopic(String name) {
     super(name);
     UBindEvent(onMessage, "onMessage");
@@ -88,13 +93,73 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
     return known;
   }
 
-  private void idle() {
+  private synchronized void idle() {
+    if (closed) {
+      throw unwanted();
+    }
+    if (beginning != null) {
+      throw new RosException(topic + " is being subscribed or advertised: that ends first");
+    }
     if (subscription != null) {
       throw new RosException(topic + " is subscribed already: unsubscribe first");
     }
     if (publisher != null) {
       throw new RosException(topic + " is advertised already: unadvertise first");
     }
+  }
+
+  private RosException unwanted() {
+    return new RosException(topic + " is not wanted any more");
+  }
+
+  private void checkWanted(CompletableFuture<Void> job) {
+    if (job.isDone()) {
+      throw unwanted();
+    }
+  }
+
+  /** Work in the name of a job, which may be stopped meanwhile. */
+  private interface Work {
+    /**
+     * Begins it.
+     *
+     * @param job is done, by failing, when nobody wants the work any more
+     */
+    CompletionStage<Void> begin(CompletableFuture<Void> job);
+  }
+
+  /**
+   * Begins to hear or to speak; one at a time. What has come of it is closed if that fails, if the
+   * job that waits is stopped, and if the topic ends.
+   */
+  private CompletionStage<Void> begin(Work work) {
+    CompletableFuture<Void> job = new CompletableFuture<>();
+    synchronized (this) {
+      idle();
+      beginning = job;
+    }
+    job.whenComplete((nothing, failure) -> {
+      synchronized (this) {
+        beginning = null;
+      }
+      if (failure != null) {
+        silence();
+      }
+    });
+    try {
+      work.begin(job)
+          .whenComplete((nothing, failure) -> {
+            if (failure == null) {
+              job.complete(null);
+            } else {
+              job.completeExceptionally(failure);
+            }
+          });
+    } catch (RuntimeException e) {
+      job.completeExceptionally(e);
+      throw e;
+    }
+    return job;
   }
 
   /** The full name of the topic. */
@@ -144,30 +209,46 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   /** Begins to listen. The job waits until the type is known. */
   public CompletionStage<Void> subscribe() {
-    idle();
     Qos wanted = delivery(true);
     Node known = node();
+    return begin(job -> known.typeOf(topic).thenCompose(name -> hear(known, name, wanted, job)));
+  }
+
+  private CompletionStage<Void> hear(
+      Node known, String typeName, Qos wanted, CompletableFuture<Void> job) {
+    checkWanted(job);
     CompletableFuture<Void> typed = new CompletableFuture<>();
-    return known
-        .typeOf(topic)
-        .thenCompose(name -> {
-          try {
-            type = known.definitions().message(name);
-            typed.complete(null);
-          } catch (DefinitionException e) {
-            // A publisher tells what it means by that name.
-            typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
-          }
-          delivery.begin(wanted.depth());
-          subscription = known.subscribe(topic, null, wanted, listener(typed));
-          return typed.exceptionallyCompose(failure -> {
-            unsubscribe();
-            return CompletableFuture.failedFuture(
-                new RosException(
-                    "there is no definition of " + name + ", and no publisher has sent it",
-                    failure));
-          });
-        });
+    try {
+      type = known.definitions().message(typeName);
+      typed.complete(null);
+    } catch (DefinitionException e) {
+      // A publisher tells what it means by that name.
+      typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
+    }
+    hear(known, (MessageType) null, wanted, typed, job);
+    return typed.exceptionallyCompose(failure ->
+        CompletableFuture.failedFuture(
+            new RosException(
+                "there is no definition of " + typeName + ", and no publisher has sent it",
+                failure)));
+  }
+
+  private void hear(
+      Node known,
+      @Nullable MessageType wantedType,
+      Qos wanted,
+      CompletableFuture<Void> typed,
+      CompletableFuture<Void> job) {
+    delivery.begin(wanted.depth());
+    Subscription made = known.subscribe(topic, wantedType, wanted, listener(typed));
+    synchronized (this) {
+      if (!job.isDone()) {
+        subscription = made;
+        return;
+      }
+    }
+    made.close();
+    throw unwanted();
   }
 
   /**
@@ -175,15 +256,14 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
    * not. The job waits until the others can know.
    */
   public CompletionStage<Void> subscribeAs(String typeName) {
-    idle();
     Qos wanted = delivery(true);
     Node there = node();
     MessageType known = there.definitions().message(typeName);
-    delivery.begin(wanted.depth());
-    type = known;
-    subscription =
-        there.subscribe(topic, known, wanted, listener(CompletableFuture.completedFuture(null)));
-    return there.settled();
+    return begin(job -> {
+      hear(there, known, wanted, CompletableFuture.completedFuture(null), job);
+      type = known;
+      return there.settled();
+    });
   }
 
   private Subscription.Listener listener(CompletableFuture<Void> typed) {
@@ -221,13 +301,23 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   /** Ends listening. */
   public void unsubscribe() {
-    Subscription present = subscription;
-    if (present == null) {
+    if (!endHearing()) {
       throw new RosException(topic + " is not subscribed");
     }
-    subscription = null;
+  }
+
+  private boolean endHearing() {
+    Subscription present;
+    synchronized (this) {
+      present = subscription;
+      subscription = null;
+    }
+    if (present == null) {
+      return false;
+    }
     delivery.end();
     present.close();
+    return true;
   }
 
   // ------------------------------------------------------------------ speaking
@@ -237,36 +327,45 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
    * others can know.
    */
   public CompletionStage<Void> advertise(String typeName) {
-    idle();
-    return typeName.isEmpty() ? node().typeOf(topic).thenCompose(this::begin) : begin(typeName);
+    Qos offered = delivery(false);
+    Node there = node();
+    return begin(job ->
+        typeName.isEmpty()
+            ? there.typeOf(topic).thenCompose(found -> speak(there, found, offered, job))
+            : speak(there, typeName, offered, job));
   }
 
-  private CompletionStage<Void> begin(String typeName) {
-    Node there = node();
+  private CompletionStage<Void> speak(
+      Node there, String typeName, Qos offered, CompletableFuture<Void> job) {
+    checkWanted(job);
     MessageType wanted = there.definitions().message(typeName);
-    publisher =
-        there.advertise(
-            topic,
-            wanted,
-            delivery(false),
-            new Publisher.Listener() {
-              @Override
-              public void connected(String name) {
-                onConnect.emit(name);
-              }
+    Publisher made = there.advertise(topic, wanted, offered, new Subscribers());
+    synchronized (this) {
+      if (!job.isDone()) {
+        publisher = made;
+        type = wanted;
+        return there.settled();
+      }
+    }
+    made.close();
+    throw unwanted();
+  }
 
-              @Override
-              public void disconnected(String name) {
-                onDisconnect.emit(name);
-              }
+  private final class Subscribers implements Publisher.Listener {
+    @Override
+    public void connected(String name) {
+      onConnect.emit(name);
+    }
 
-              @Override
-              public void failed(String reason) {
-                troubled(reason);
-              }
-            });
-    type = wanted;
-    return there.settled();
+    @Override
+    public void disconnected(String name) {
+      onDisconnect.emit(name);
+    }
+
+    @Override
+    public void failed(String reason) {
+      troubled(reason);
+    }
   }
 
   /** Sends a message to all who listen. */
@@ -280,21 +379,40 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   /** Ends speaking. */
   public void unadvertise() {
-    Publisher present = publisher;
-    if (present == null) {
+    if (!endSpeaking()) {
       throw new RosException(topic + " is not advertised");
     }
-    publisher = null;
-    present.close();
   }
 
+  private boolean endSpeaking() {
+    Publisher present;
+    synchronized (this) {
+      present = publisher;
+      publisher = null;
+    }
+    if (present == null) {
+      return false;
+    }
+    present.close();
+    return true;
+  }
+
+  private void silence() {
+    endHearing();
+    endSpeaking();
+  }
+
+  /** Ends all of it, what has only begun, too. */
   @Override
   public void close() {
-    if (subscription != null) {
-      unsubscribe();
+    CompletableFuture<Void> unfinished;
+    synchronized (this) {
+      closed = true;
+      unfinished = beginning;
     }
-    if (publisher != null) {
-      unadvertise();
+    if (unfinished != null) {
+      unfinished.completeExceptionally(unwanted());
     }
+    silence();
   }
 }
