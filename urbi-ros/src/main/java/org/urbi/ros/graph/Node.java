@@ -22,6 +22,15 @@ public interface Node extends AutoCloseable {
   Definitions definitions();
 
   /**
+   * Done when a type can be used at once: what has to be loaded for it, libraries of another
+   * middleware, is loaded by a thread of its own. Fails with a {@link RosException} if that is not
+   * possible.
+   */
+  default CompletableFuture<Void> prepared(MessageType type) {
+    return CompletableFuture.completedFuture(null);
+  }
+
+  /**
    * The full name that is meant by one.
    *
    * @throws RosException if it is no name

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Actions;
@@ -34,10 +35,15 @@ import org.urbi.ros.two.Reports;
 import org.urbi.ros.two.TwoConventions;
 import org.urbi.ros.two.TwoHost;
 import org.urbi.ros.two.TwoSettings;
+import urbi.thread.GuardedThreads;
 
 /** A node of an installed ROS 2. */
 public final class RclNode implements TwoHost {
   private static final String RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE";
+
+  /** Where libraries are loaded: threads of the system, since C needs the stack of one. */
+  private static final Executor LOADING =
+      task -> GuardedThreads.SDK.platform("urbi-ros-rcl-types", task).start();
 
   private final TwoSettings settings;
   private final Installation installation;
@@ -109,6 +115,12 @@ public final class RclNode implements TwoHost {
   }
 
   MessageSupport support(MessageType type) {
+    // Nobody who has it waits for one that is being loaded.
+    MessageSupport known = messages.get(type.name());
+    return known != null ? known : loaded(type);
+  }
+
+  private MessageSupport loaded(MessageType type) {
     return messages.computeIfAbsent(type.name(), name -> MessageSupport.of(installation, type));
   }
 
@@ -166,6 +178,13 @@ public final class RclNode implements TwoHost {
   @Override
   public Definitions definitions() {
     return settings.definitions();
+  }
+
+  @Override
+  public CompletableFuture<Void> prepared(MessageType type) {
+    return messages.containsKey(type.name())
+        ? CompletableFuture.completedFuture(null)
+        : CompletableFuture.runAsync(() -> loaded(type), LOADING);
   }
 
   @Override

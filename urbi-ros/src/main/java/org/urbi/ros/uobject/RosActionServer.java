@@ -56,16 +56,19 @@ public final class RosActionServer extends UObject implements AutoCloseable {
 
   /** Offers an action. The job waits until the others can know. */
   public CompletionStage<Void> begin(String name, String type) {
-    return Ros.of(this).thenCompose(node -> serve(node, name, type));
+    return Ros.of(this)
+        .thenCompose(node -> {
+          ActionType known = node.definitions().action(type);
+          return node.prepared(known.goal()).thenCompose(ready -> serve(node, name, known));
+        });
   }
 
-  private synchronized CompletionStage<Void> serve(Node node, String name, String type) {
+  private synchronized CompletionStage<Void> serve(Node node, String name, ActionType type) {
     if (closed) {
       throw new RosException(name + " is not offered any more");
     }
-    ActionType known = node.definitions().action(type);
     action = node.resolve(name);
-    server = node.actions().serve(name, known, new Goals());
+    server = node.actions().serve(name, type, new Goals());
     return node.settled();
   }
 

@@ -58,8 +58,11 @@ public final class RosInput extends UObject implements MessageReceiver, AutoClos
     if (!typeName.isEmpty()) {
       MessageType type = node.definitions().message(typeName);
       path.check(type);
-      listen(node, full, type, path, fields);
-      return node.settled();
+      return node.prepared(type)
+          .thenCompose(ready -> {
+            listen(node, full, type, path, fields);
+            return node.settled();
+          });
     }
     CompletionStage<String> known = node.typeOf(full);
     return known.thenCompose(name -> {

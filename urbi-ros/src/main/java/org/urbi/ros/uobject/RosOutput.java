@@ -46,18 +46,21 @@ public final class RosOutput extends UObject implements AutoCloseable {
   public CompletionStage<Void> begin(String topic, String typeName, String field, double rate) {
     Pace wanted = new Pace(rate, this::send);
     FieldPath path = FieldPath.of(field);
-    return Ros.of(this).thenCompose(node -> open(node, topic, typeName, path, wanted));
+    return Ros.of(this)
+        .thenCompose(node -> {
+          MessageType type = node.definitions().message(typeName);
+          path.check(type);
+          // A list that is too short for the field is an error now, and not with each value.
+          path.get(Templates.of(type));
+          return node.prepared(type).thenCompose(ready -> open(node, topic, type, path, wanted));
+        });
   }
 
   private synchronized CompletionStage<Void> open(
-      Node node, String topic, String typeName, FieldPath wanted, Pace rate) {
+      Node node, String topic, MessageType type, FieldPath wanted, Pace rate) {
     if (closed) {
       throw new RosException(topic + " is not wanted any more");
     }
-    MessageType type = node.definitions().message(typeName);
-    wanted.check(type);
-    // A list that is too short for the field is an error now, and not with each value.
-    wanted.get(Templates.of(type));
     path = wanted;
     pace = rate;
     publisher = node.advertise(topic, type, Qos.DEFAULT, new Publisher.Listener() {});

@@ -41,15 +41,18 @@ public final class RosServer extends UObject implements AutoCloseable {
 
   /** Offers a service. The job waits until the others can know. */
   public CompletionStage<Void> begin(String name, String type) {
-    return Ros.of(this).thenCompose(node -> serve(node, name, type));
+    return Ros.of(this)
+        .thenCompose(node -> {
+          ServiceType known = node.definitions().service(type);
+          return node.prepared(known.request()).thenCompose(ready -> serve(node, name, known));
+        });
   }
 
-  private synchronized CompletionStage<Void> serve(Node node, String name, String type) {
+  private synchronized CompletionStage<Void> serve(Node node, String name, ServiceType type) {
     if (closed) {
       throw new RosException(name + " is not offered any more");
     }
-    ServiceType known = node.definitions().service(type);
-    server = node.serve(name, known, this::ask);
+    server = node.serve(name, type, this::ask);
     return node.settled();
   }
 

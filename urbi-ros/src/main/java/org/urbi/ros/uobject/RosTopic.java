@@ -32,6 +32,8 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   private static final int DEFAULT_DEPTH = 100;
 
+  private static final CompletableFuture<Void> DONE = CompletableFuture.completedFuture(null);
+
   private final UEvent onMessage = new UEvent();
   private final UEvent onConnect = new UEvent();
   private final UEvent onDisconnect = new UEvent();
@@ -216,16 +218,26 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   private CompletionStage<Void> hear(
       Node known, String typeName, Qos wanted, CompletableFuture<Void> job) {
-    checkWanted(job);
-    CompletableFuture<Void> typed = new CompletableFuture<>();
+    MessageType found;
     try {
-      type = known.definitions().message(typeName);
-      typed.complete(null);
+      found = known.definitions().message(typeName);
     } catch (DefinitionException e) {
-      // A publisher tells what it means by that name.
-      typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
+      return hearUndefined(known, typeName, wanted, job);
     }
-    hear(known, (MessageType) null, wanted, typed, job);
+    return known
+        .prepared(found)
+        .thenAccept(ready -> {
+          type = found;
+          hear(known, null, wanted, DONE, job);
+        });
+  }
+
+  /** A publisher tells what it means by that name. */
+  private CompletionStage<Void> hearUndefined(
+      Node known, String typeName, Qos wanted, CompletableFuture<Void> job) {
+    CompletableFuture<Void> typed = new CompletableFuture<>();
+    typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
+    hear(known, null, wanted, typed, job);
     return typed.exceptionallyCompose(failure ->
         CompletableFuture.failedFuture(
             new RosException(
@@ -239,6 +251,7 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
       Qos wanted,
       CompletableFuture<Void> typed,
       CompletableFuture<Void> job) {
+    checkWanted(job);
     delivery.begin(wanted.depth());
     Subscription made = known.subscribe(topic, wantedType, wanted, listener(typed));
     synchronized (this) {
@@ -259,11 +272,14 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
     Qos wanted = delivery(true);
     Node there = node();
     MessageType known = there.definitions().message(typeName);
-    return begin(job -> {
-      hear(there, known, wanted, CompletableFuture.completedFuture(null), job);
-      type = known;
-      return there.settled();
-    });
+    return begin(job ->
+        there
+            .prepared(known)
+            .thenCompose(ready -> {
+              hear(there, known, wanted, DONE, job);
+              type = known;
+              return there.settled();
+            }));
   }
 
   private Subscription.Listener listener(CompletableFuture<Void> typed) {
@@ -337,8 +353,13 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   private CompletionStage<Void> speak(
       Node there, String typeName, Qos offered, CompletableFuture<Void> job) {
-    checkWanted(job);
     MessageType wanted = there.definitions().message(typeName);
+    return there.prepared(wanted).thenCompose(ready -> speak(there, wanted, offered, job));
+  }
+
+  private CompletionStage<Void> speak(
+      Node there, MessageType wanted, Qos offered, CompletableFuture<Void> job) {
+    checkWanted(job);
     Publisher made = there.advertise(topic, wanted, offered, new Subscribers());
     synchronized (this) {
       if (!job.isDone()) {

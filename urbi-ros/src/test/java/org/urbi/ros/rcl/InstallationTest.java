@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -128,6 +129,22 @@ class InstallationTest {
       // Others go on.
       MessageType string = node.definitions().message("std_msgs/String");
       node.subscribe("text", string, Qos.DEFAULT, message -> {}).close();
+    }
+  }
+
+  @Test
+  void typesAreLoadedBeforeTheyAreUsed() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node node = Ways.start("rcl", settings(domain.domain(), "node"), told::add)) {
+      MessageType scan = node.definitions().message("sensor_msgs/LaserScan");
+      Awaited.value(node.prepared(scan));
+      assertTrue(node.prepared(scan).isDone());
+      node.subscribe("scan", scan, Qos.DEFAULT, message -> {}).close();
+      MessageType frames = node.definitions().message("tf2_msgs/TFMessage");
+      CompletionException missing =
+          assertThrows(CompletionException.class, () -> Awaited.value(node.prepared(frames)));
+      assertInstanceOf(RosException.class, missing.getCause());
+      assertTrue(missing.getCause().getMessage().contains("nothing of the package tf2_msgs"));
     }
   }
 
