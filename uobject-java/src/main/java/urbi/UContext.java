@@ -2,6 +2,7 @@ package urbi;
 
 import java.net.InetSocketAddress;
 import java.time.Duration;
+import java.util.Map;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -71,6 +72,15 @@ public interface UContext {
 
   /** The hub of that name, or null. */
   @Nullable UObjectHub getUObjectHub(String name);
+
+  /**
+   * The variables of the environment. For a plugged object that is replayed, they are those of the
+   * recorded run, so that it does the same again; it asks in its constructor or in a function that
+   * the kernel calls, and not on a thread of its own.
+   */
+  default Map<String, String> environment() {
+    return System.getenv();
+  }
 
   // ------------------------------------------------------------------ what objects bind
 

@@ -146,7 +146,7 @@ public final class Kernel implements AutoCloseable {
     Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     return LibraryTables.all(
         new CommandLine(builder.programName, builder.arguments),
-        new Environment(Outside.environmentAtStart(journal)),
+        new Environment(Outside.environment(journal)),
         new FileAccess(outside),
         builder.services,
         log,

@@ -278,9 +278,10 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * The variables of the environment, of a kernel that is being made: it has no kernel thread yet.
+   * The variables of the environment; on the kernel thread, or while the kernel is being made and
+   * has none yet.
    */
-  public static Map<String, String> environmentAtStart(Journal journal) {
+  public static Map<String, String> environment(Journal journal) {
     return journal.ask(System::getenv);
   }
 

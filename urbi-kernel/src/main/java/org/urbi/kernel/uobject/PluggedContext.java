@@ -402,6 +402,11 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
+  public Map<String, String> environment() {
+    return crossing.fromKernel(frame -> Outside.environment(scheduler.journal()));
+  }
+
+  @Override
   public void bindFunction(UObject object, String name, UCallback function) {
     crossing.inKernel(frame -> {
       creation.bind(object, name, function);

@@ -19,6 +19,7 @@ import org.urbi.ros.two.TwoSettings;
  * @param domain of ROS 2
  * @param packagePath where types are defined
  * @param names those that mean others
+ * @param environment what else there is, by the variables of the environment
  */
 record NodeSettings(
     Dialect dialect,
@@ -26,7 +27,8 @@ record NodeSettings(
     String masterUri,
     String domain,
     String packagePath,
-    Map<String, String> names) {
+    Map<String, String> names,
+    Map<String, String> environment) {
   static final String MASTER = "ROS_MASTER_URI";
   static final String DOMAIN = "ROS_DOMAIN_ID";
 
@@ -49,20 +51,20 @@ record NodeSettings(
     };
   }
 
-  /** The node that they describe, with what else the environment says: see {@link Maker#make}. */
+  /** The node that they describe: see {@link Maker#make}. */
   Node start(Consumer<String> people) {
-    Map<String, String> environment = new HashMap<>(System.getenv());
-    environment.put(MASTER, masterUri);
-    environment.put(DOMAIN, domain);
-    environment.put(packages(dialect), packagePath);
+    Map<String, String> chosen = new HashMap<>(environment);
+    chosen.put(MASTER, masterUri);
+    chosen.put(DOMAIN, domain);
+    chosen.put(packages(dialect), packagePath);
     return switch (dialect) {
       case ROS_1 ->
           OneNode.start(
-              OneSettings.of(environment, ownName(), names),
+              OneSettings.of(chosen, ownName(), names),
               there -> people.accept(presence(masterUri, there)));
       case ROS_2 ->
           // Whoever sets packagePath wants other types, and no other middleware.
-          Middleware.start(System.getenv(), TwoSettings.of(environment, ownName(), names), people);
+          Middleware.start(environment, TwoSettings.of(chosen, ownName(), names), people);
     };
   }
 

@@ -47,7 +47,11 @@ public final class Ros extends UObject implements AutoCloseable {
   private final Map<String, String> remappings = new HashMap<>();
   private final NodeSettings.Maker maker;
   private final FirstUse node = new FirstUse();
-  private Dialect dialect = RosVersion.of(System.getenv());
+
+  /** Of the recorded run, in a replay. */
+  private final Map<String, String> environment = getUContext().environment();
+
+  private Dialect dialect = RosVersion.of(environment);
   private @Nullable FrameListener frames;
   private boolean watched;
 
@@ -67,10 +71,10 @@ public final class Ros extends UObject implements AutoCloseable {
         version, "version", masterUri, "masterUri", domain, "domain", packagePath, "packagePath");
     UBindVar(nodeName, "nodeName");
     nodeName.setValue("");
-    masterUri.setValue(System.getenv().getOrDefault(NodeSettings.MASTER, "http://localhost:11311"));
-    domain.setValue(System.getenv().getOrDefault(NodeSettings.DOMAIN, "0"));
+    masterUri.setValue(environment.getOrDefault(NodeSettings.MASTER, "http://localhost:11311"));
+    domain.setValue(environment.getOrDefault(NodeSettings.DOMAIN, "0"));
     version.setValue(dialect.version());
-    packagePath.setValue(System.getenv().getOrDefault(NodeSettings.packages(dialect), ""));
+    packagePath.setValue(environment.getOrDefault(NodeSettings.packages(dialect), ""));
     UNotifyChange(version, "choose");
     UBindEvent(onNode, "onNode");
     UBindEvent(onNodeGone, "onNodeGone");
@@ -130,7 +134,7 @@ public final class Ros extends UObject implements AutoCloseable {
         throw new RosException("the version is chosen before Ros is used");
       }
       dialect = wanted;
-      packagePath.setValue(System.getenv().getOrDefault(NodeSettings.packages(wanted), ""));
+      packagePath.setValue(environment.getOrDefault(NodeSettings.packages(wanted), ""));
     } catch (RosException e) {
       told(String.valueOf(e.getMessage()));
       version.setValue(dialect.version());
@@ -152,7 +156,8 @@ public final class Ros extends UObject implements AutoCloseable {
             masterUri.stringValue(),
             domain.stringValue(),
             packagePath.stringValue(),
-            Map.copyOf(remappings));
+            Map.copyOf(remappings),
+            environment);
     return node.node(() -> begin(settings));
   }
 
