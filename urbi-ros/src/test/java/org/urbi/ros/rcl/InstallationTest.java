@@ -136,10 +136,10 @@ class InstallationTest {
   void typesAreLoadedBeforeTheyAreUsed() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Node node = Ways.start("rcl", settings(domain.domain(), "node"), told::add)) {
-      MessageType scan = node.definitions().message("sensor_msgs/LaserScan");
-      Awaited.value(node.prepared(scan));
-      assertTrue(node.prepared(scan).isDone());
-      node.subscribe("scan", scan, Qos.DEFAULT, message -> {}).close();
+      MessageType text = node.definitions().message("std_msgs/String");
+      Awaited.value(node.prepared(text));
+      assertTrue(node.prepared(text).isDone());
+      node.subscribe("text", text, Qos.DEFAULT, message -> {}).close();
       MessageType frames = node.definitions().message("tf2_msgs/TFMessage");
       CompletionException missing =
           assertThrows(CompletionException.class, () -> Awaited.value(node.prepared(frames)));
