@@ -52,6 +52,7 @@ final class Viewer extends StreamHandler {
   private final List<Runnable> notListening = new ArrayList<>();
   private @Nullable Connection connection;
   private @Nullable Sampler sampler;
+  private @Nullable MediaDesk media;
   private @Nullable CodeDesk desk;
   private @Nullable FileDesk files;
   private Look wanted = new Look(0, List.of(), null, null);
@@ -88,6 +89,7 @@ final class Viewer extends StreamHandler {
                     channel.writeAndFlush(
                         new TextWebSocketFrame(Answer.text("output", Utf8Text.toJava(bytes))))));
     sampler = new Sampler(channel, connection);
+    media = new MediaDesk(channel, connection);
     desk = new CodeDesk(channel, connection, syntax);
     files = new FileDesk(channel, connection, role, folders, fileWorker);
     List<String> keywords = Keywords.all().stream().sorted().toList();
@@ -142,6 +144,9 @@ final class Viewer extends StreamHandler {
     if (sampler != null) {
       sampler.sample();
     }
+    if (media != null) {
+      media.fetch();
+    }
   }
 
   private static void send(Channel channel, String text) {
@@ -188,11 +193,7 @@ final class Viewer extends StreamHandler {
           wanted =
               new Look(wanted.selected(), wanted.traced(), wanted.reactions(), variables.objects());
       case Request.Plot plot -> sampler().plot(plot);
-      case Request.Show show ->
-          LateAnswers.take(
-              channel,
-              connection().media(show.way()),
-              media -> send(channel, VariableAnswer.shown(show.id(), media)));
+      case Request.Show show -> requireNonNull(media, "it has been let in").obey(show);
       case Request.Assign assign ->
           tell(channel, assign.id(), connection().assign(assign.way(), assign.value()));
       case Request.Steer steer ->

@@ -11,6 +11,7 @@ import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -246,6 +247,37 @@ class StudioServerTest {
       assertTrue(page.await("\"done\"").contains("\"keywords\":\"jpeg 2 1\",\"bytes\":\"YWJj\""));
       page.send("{\"type\":\"show\",\"id\":8,\"way\":\"Global\\n.plotted\"}");
       assertTrue(page.await("\"done\"").contains("no image or sound any more"));
+    }
+  }
+
+  /** It does not read what it asks for, which is large: only few of that may wait for it. */
+  @Test
+  void oneImageAfterTheOtherIsShown() throws Exception {
+    kernel.eval("var Global.large = Binary.new(\"wav\", \"x\" * 4000000)|");
+    int wishes = 30;
+    try (StreamClient page =
+        new StreamClient(studio, "/stream") {
+          @Override
+          public void onOpen(WebSocket from) {
+            // It begins to read later.
+          }
+        }) {
+      for (int i = 1; i <= wishes; i++) {
+        page.send("{\"type\":\"show\",\"id\":" + i + ",\"way\":\"Global\\n.large\"}");
+      }
+      page.socket.request(1);
+      int shown = 0;
+      for (int i = 1; i <= wishes; i++) {
+        String answer = page.await("\"done\"");
+        if (answer.contains("\"keywords\":\"wav\"")) {
+          shown++;
+        } else {
+          assertTrue(answer.contains("one image or sound after the other"), answer);
+        }
+      }
+      assertTrue(shown >= 1 && shown < wishes / 2, shown + " were shown");
+      page.send("{\"type\":\"show\",\"id\":99,\"way\":\"Global\\n.large\"}");
+      assertTrue(page.await("\"id\":99").contains("\"keywords\":\"wav\""));
     }
   }
 
