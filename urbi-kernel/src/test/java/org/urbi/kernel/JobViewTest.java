@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -105,9 +107,53 @@ class JobViewTest {
     for (Turn turn : turns.stream().dropWhile(each -> each.before() != Wait.TIME).toList()) {
       assertEquals(job.number(), turn.job());
       // A turn that is late is followed by the next one at once.
-      assertEquals(turn.before() == Wait.TIME ? 0 : job.number(), turn.waker());
+      assertEquals(
+          turn.before() == Wait.TIME ? 0L : job.number(),
+          turn.wakers().isEmpty() ? 0L : turn.wakers().getFirst());
       assertTrue(turn.begin() <= turn.end());
     }
+  }
+
+  /** Jobs of an {@code at}, and of the turns of an {@code every}, are over before anybody asks. */
+  @Test
+  void firstTurnsOfNewJobsAreKeptAndWhoHasStartedTheirWakers() {
+    program.say(
+        """
+        var Global.e = Event.new|; var Global.f = Event.new|;
+        at (e?) reacting: { sleep(2ms); f! };
+        listening: loop { waituntil (f?); sleep(1ms) },
+        beating: every (20ms) e!,
+        """);
+    long beating = owner.under("beating").number();
+    long listening = owner.under("listening").number();
+    Look wanted = new Look(0, List.of(listening), null, null);
+    List<Turn> turns = new ArrayList<>();
+    Predicate<Turn> wakes = turn -> turn.job() == listening && turn.wakers().contains(beating);
+    while (turns.stream().noneMatch(wakes)) {
+      turns.addAll(owner.look(wanted).last.turns());
+    }
+    Turn woken = turns.stream().filter(wakes).findFirst().orElseThrow();
+    assertEquals(Wait.EVENT, woken.before());
+    long reacting = woken.wakers().getFirst();
+    List<Turn> reaction = turns.stream().filter(turn -> turn.job() == reacting).toList();
+    assertEquals(2, reaction.size(), () -> "before it sleeps, and after that: " + reaction);
+    assertEquals(woken.wakers().subList(1, 3), reaction.getFirst().wakers().subList(0, 2));
+    assertEquals(List.of(), reaction.getLast().wakers(), "the time has woken it");
+    assertTrue(reaction.getLast().ended());
+  }
+
+  /** Those that are to be looked at must not lose their turns to very many new ones. */
+  @Test
+  void onlyFewNewJobsAreTracedAtOnce() {
+    program.say("ticks: every| (1ms) { 1 },");
+    long ticks = owner.under("ticks").number();
+    Look wanted = new Look(0, List.of(ticks), null, null);
+    owner.look(wanted);
+    program.say("for& (10000) { ; 1; 2 };");
+    List<Turn> turns = owner.look(wanted).last.turns();
+    long others = turns.stream().map(Turn::job).filter(job -> job != ticks).distinct().count();
+    assertTrue(others > 0 && others <= 64, others + " new jobs");
+    assertTrue(turns.stream().anyMatch(turn -> turn.job() == ticks), "and the one that is traced");
   }
 
   @Test

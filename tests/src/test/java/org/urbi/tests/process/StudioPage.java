@@ -43,6 +43,34 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
     return "return document.querySelector('" + selector + "')?.textContent";
   }
 
+  /** JavaScript: the row of the job under a tag. */
+  static String row(String tag) {
+    return "[...document.querySelectorAll('.row')]"
+        + ".find(row => [...row.querySelectorAll('.chip')].some(chip => chip.textContent === '"
+        + tag
+        + "'))";
+  }
+
+  /**
+   * What the lane of the job under a tag tells to who points at one place of it after the other:
+   * the first text with a part, or else the last one.
+   */
+  static String told(String tag, String part) {
+    return """
+    const row = %s?.getBoundingClientRect();
+    if (!row) return '';
+    const place = document.querySelector('#lanes').getBoundingClientRect();
+    const told = [];
+    for (let x = Math.ceil(place.left); x < place.right; x++) {
+      const there = {clientX: x, clientY: row.top + row.height / 2};
+      document.querySelector('#list').dispatchEvent(new PointerEvent('pointermove', there));
+      told.push(document.querySelector('#turn').textContent);
+    }
+    return told.find(text => text.includes('%s')) ?? told.at(-1);
+    """
+        .formatted(row(tag), part);
+  }
+
   /** Gives an input another value, as somebody does who types. */
   static String type(String selector, String value) {
     return "const field = document.querySelector('"

@@ -22,16 +22,8 @@ class StudioSteeringTest {
       listening: loop { waituntil (tick?); heard++ },
       """;
 
-  /** JavaScript: the row of the job under a tag. */
-  private static String row(String tag) {
-    return "[...document.querySelectorAll('.row')]"
-        + ".find(row => [...row.querySelectorAll('.chip')].some(chip => chip.textContent === '"
-        + tag
-        + "'))";
-  }
-
   private static String cell(String tag, String selector) {
-    return "return " + row(tag) + "?.querySelector('" + selector + "').textContent";
+    return "return " + StudioPage.row(tag) + "?.querySelector('" + selector + "').textContent";
   }
 
   /** JavaScript that clicks a button of the selected job, once it is there. */
@@ -65,7 +57,7 @@ class StudioSteeringTest {
   private static void seesWhatJobsCost(Browser browser) throws Exception {
     browser.await("its share", cell("busy", ".share span"), text -> percent(text) > 50);
     browser.await("that of another", cell("listening", ".share span"), text -> percent(text) < 20);
-    String meter = "return " + row("busy") + ".querySelector('meter').value > 50";
+    String meter = "return " + StudioPage.row("busy") + ".querySelector('meter').value > 50";
     assertEquals("true", browser.evaluate(meter));
     String load =
         "return [...document.querySelectorAll('header dd')].map(each => each.textContent).join(' ')";
@@ -74,7 +66,7 @@ class StudioSteeringTest {
         "const order = document.querySelector('#order'); order.value = '%s';"
             + "order.dispatchEvent(new Event('change'));";
     browser.evaluate(order.formatted("share"));
-    String first = "return " + row("busy") + "?.getAttribute('aria-posinset')";
+    String first = "return " + StudioPage.row("busy") + "?.getAttribute('aria-posinset')";
     browser.await("the busiest first", first, "1"::equals);
     browser.evaluate(order.formatted("tree"));
     browser.await("the lobby first", first, place -> !place.equals("1"));
@@ -82,24 +74,11 @@ class StudioSteeringTest {
 
   /** Some turn in the lane of the job that waits for the event tells which job has emitted it. */
   private static void seesWhoWakes(Browser browser) throws Exception {
-    String all =
-        """
-        const place = document.querySelector('#lanes').getBoundingClientRect();
-        const row = %s.getBoundingClientRect();
-        const told = [];
-        for (let x = Math.ceil(place.left); x < place.right; x++) {
-          const there = {clientX: x, clientY: row.top + row.height / 2};
-          document.querySelector('#list').dispatchEvent(new PointerEvent('pointermove', there));
-          told.push(document.querySelector('#turn').textContent);
-        }
-        return told.find(text => text.includes('woken by')) ?? told.at(-1);
-        """
-            .formatted(row("listening"));
     String waker = browser.evaluate(cell("beating", ".name"));
     String sleeper = browser.evaluate(cell("listening", ".name"));
     browser.await(
         "who has woken it",
-        all,
+        StudioPage.told("listening", "woken by"),
         text ->
             text.matches(
                 sleeper
@@ -115,7 +94,7 @@ class StudioSteeringTest {
   private static void freezes(Browser browser, JavaProcess urbi) throws Exception {
     String state = cell("busy", ".state");
     assertEquals("running", browser.evaluate(state));
-    browser.evaluate(row("busy") + ".click()");
+    browser.evaluate(StudioPage.row("busy") + ".click()");
     browser.await("the button", click("Freeze"), "true"::equals);
     browser.await("the frozen job", state, "frozen"::equals);
     browser.await("what it costs then", cell("busy", ".share span"), ""::equals);

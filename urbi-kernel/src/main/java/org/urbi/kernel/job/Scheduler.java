@@ -275,26 +275,29 @@ public final class Scheduler {
   public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
     Job job = new Job(this, body, prefix, lobby, scope, null, shift);
-    yields.endGrant();
-    jobs.add(job.listed);
-    newcomers.addAhead(job);
+    newcomers.addAhead(list(job));
     return job;
   }
 
   /** Like {@link #startDetached}, but the job runs after all others have had their turn. */
   public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     Job job = new Job(this, body, prefix, lobby, scope, null, 0);
-    yields.endGrant();
-    jobs.add(job.listed);
-    newcomers.addBehind(job);
+    newcomers.addBehind(list(job));
     return job;
   }
 
   /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
+    newcomers.add(list(job), running);
+    return job;
+  }
+
+  private Job list(Job job) {
     yields.endGrant();
     jobs.add(job.listed);
-    newcomers.add(job, running);
+    if (turnMeter != null) {
+      turnMeter.started(job, running);
+    }
     return job;
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.job;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.Clock;
@@ -13,18 +14,37 @@ public final class TurnMeter {
   /** How many turns are kept: whoever looks too rarely misses some. */
   private static final int KEPT = 1 << 13;
 
+  /** How many jobs that have just been started are traced, before anybody can ask for them. */
+  private static final int MOST_NEWBORN = 64;
+
+  /** How many turns of each of them: there is room for those of all, and for others. */
+  private static final int FIRST_TURNS = 64;
+
+  /** Of a job that wakes others, it is known who had started it, and so on: so many jobs in all. */
+  private static final int WAKERS = 4;
+
   /** What is measured of a job; made when it first is, so that jobs nobody looks at have none. */
   static final class Measures {
+    /** Who made it runnable, who had started that job, and so on; 0 where there is none. */
+    private final long[] wakers = new long[WAKERS];
+
+    /** Who had started it, who had started that job, and so on, as far as that was seen. */
+    private final long[] starters = new long[WAKERS - 1];
+
     private long ran;
-    private long waker;
     private int tracers;
+    private int firstTurns;
+
+    private boolean isTraced() {
+      return tracers > 0 || firstTurns > 0;
+    }
   }
 
   private final Clock machine;
 
   // The turns that are kept. To keep one takes no memory: for want of it a job would lose its turn.
   private final long[] jobs = new long[KEPT];
-  private final long[] wakers = new long[KEPT];
+  private final long[] wakers = new long[WAKERS * KEPT];
   private final long[] begins = new long[KEPT];
   private final long[] ends = new long[KEPT];
   private final @Nullable Wait[] waits = new Wait[KEPT];
@@ -37,7 +57,11 @@ public final class TurnMeter {
   private @Nullable Job charged;
   private long since;
   private Wait before = Wait.TURN;
-  private long waker;
+  private int tracers;
+  private int newborn;
+
+  /** Of the job whose turn it is: it may be woken again before that is over. */
+  private final long[] wakersNow = new long[WAKERS];
 
   TurnMeter(Clock machine) {
     this.machine = machine;
@@ -48,6 +72,7 @@ public final class TurnMeter {
     if (known == null) {
       try {
         known = new Measures();
+        known.starters[0] = job.starter();
       } catch (OutOfMemoryError e) {
         // The job must have its turn all the same.
         return lost;
@@ -59,7 +84,26 @@ public final class TurnMeter {
 
   /** A job has become runnable because of another one; null if because of something else. */
   void woken(Job job, @Nullable Job by) {
-    measures(job).waker = by == null ? 0 : by.number();
+    Measures measures = measures(job);
+    if (by == null) {
+      Arrays.fill(measures.wakers, 0);
+    } else {
+      measures.wakers[0] = by.number();
+      System.arraycopy(measures(by).starters, 0, measures.wakers, 1, WAKERS - 1);
+    }
+  }
+
+  /** A job has been started by another one; null if by something else. */
+  void started(Job job, @Nullable Job by) {
+    Measures measures = measures(job);
+    if (by != null) {
+      System.arraycopy(measures(by).starters, 0, measures.starters, 1, WAKERS - 2);
+    }
+    woken(job, by);
+    if (tracers > 0 && newborn < MOST_NEWBORN) {
+      newborn++;
+      measures.firstTurns = FIRST_TURNS;
+    }
   }
 
   /** The turn passes to a job; null if to none. */
@@ -72,22 +116,23 @@ public final class TurnMeter {
     if (done != null) {
       Measures measures = measures(done);
       measures.ran += now - since;
-      if (measures.tracers > 0) {
-        keep(done, now);
+      if (measures.isTraced()) {
+        keep(done, measures, now);
       }
     }
     if (following != null) {
       before = following.waitsFor();
-      waker = measures(following).waker;
+      System.arraycopy(measures(following).wakers, 0, wakersNow, 0, WAKERS);
     }
     charged = following;
     since = now;
   }
 
-  private void keep(Job done, long now) {
+  private void keep(Job done, Measures measures, long now) {
     int at = (int) (next++ % KEPT);
+    measures.firstTurns = Math.max(0, measures.firstTurns - 1);
     jobs[at] = done.number();
-    wakers[at] = waker;
+    System.arraycopy(wakersNow, 0, wakers, WAKERS * at, WAKERS);
     begins[at] = since;
     ends[at] = now;
     waits[at] = before;
@@ -107,11 +152,13 @@ public final class TurnMeter {
 
   /** One more wants to see the turns of a job. */
   public void beginTrace(Job job) {
+    tracers++;
     measures(job).tracers++;
   }
 
   /** Ends one {@link #beginTrace}. */
   public void endTrace(Job job) {
+    tracers--;
     measures(job).tracers--;
   }
 
@@ -121,19 +168,28 @@ public final class TurnMeter {
   }
 
   /**
-   * The turns of the traced jobs, as far as they are still kept.
+   * The turns of the traced jobs, and the first ones of jobs that were started since, as far as
+   * they are still kept.
    *
    * @param from the number of the first one that is wanted
    */
   public List<Turn> turns(long from) {
+    newborn = 0;
     List<Turn> turns = new ArrayList<>();
     for (long number = Math.max(from, next - KEPT); number < next; number++) {
       int at = (int) (number % KEPT);
       Wait wait = waits[at];
       if (wait != null) {
-        turns.add(new Turn(jobs[at], wakers[at], begins[at], ends[at], wait, last[at]));
+        turns.add(new Turn(jobs[at], wakers(at), begins[at], ends[at], wait, last[at]));
       }
     }
     return turns;
+  }
+
+  private List<Long> wakers(int at) {
+    return Arrays.stream(wakers, WAKERS * at, WAKERS * (at + 1))
+        .takeWhile(number -> number != 0)
+        .boxed()
+        .toList();
   }
 }

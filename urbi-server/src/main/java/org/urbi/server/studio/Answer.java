@@ -157,7 +157,11 @@ final class Answer {
   private static void write(JsonGenerator out, Turn turn) throws IOException {
     out.writeStartArray();
     out.writeNumber(turn.job());
-    out.writeNumber(turn.waker());
+    out.writeStartArray();
+    for (long waker : turn.wakers()) {
+      out.writeNumber(waker);
+    }
+    out.writeEndArray();
     out.writeNumber(turn.begin() / MILLISECOND);
     out.writeNumber(turn.end() / MILLISECOND);
     out.writeString(turn.before().text());

@@ -106,6 +106,7 @@ export class Room {
     new LanePointer(this.find("list"), this.find("lanes"), this.lanes, {
       changed: () => this.redraw(),
       told: (text) => set(this.find("turn"), text || POINT),
+      selected: () => this.selected,
     });
     this.find("list").addEventListener("scroll", () => {
       this.redraw();

@@ -1,6 +1,8 @@
 // What is known of the jobs and tags, put together from what has changed.
 const KEPT = 60000;
 const MOST_TURNS = 20000;
+// Turns may come before the job: of one that is never told of, because it has ended, they are kept so long.
+const UNSEEN = 5000;
 
 export class Jobs {
   constructor() {
@@ -37,12 +39,19 @@ export class Jobs {
     for (const tag of view.tags) this.tags.set(tag.number, tag);
     for (const number of view.tagsGone) this.tags.delete(number);
     for (const turn of view.turns) this.keep(turn);
+    if (view.complete) this.forgetUnseen();
   }
 
-  keep([job, waker, begin, end, before, ended]) {
+  forgetUnseen() {
+    for (const [job, turns] of this.turns) {
+      if (!this.rows.has(job) && turns.at(-1).end < this.machine - UNSEEN) this.turns.delete(job);
+    }
+  }
+
+  keep([job, wakers, begin, end, before, ended]) {
     if (!this.turns.has(job)) this.turns.set(job, []);
     const turns = this.turns.get(job);
-    turns.push({ waker, begin, end, before, ended });
+    turns.push({ wakers, begin, end, before, ended });
     if (turns.length > MOST_TURNS || turns[0].end < this.machine - 1.2 * KEPT) {
       const first = turns.findIndex((turn) => turn.end >= this.machine - KEPT);
       turns.splice(0, Math.max(first, turns.length - MOST_TURNS, 0));

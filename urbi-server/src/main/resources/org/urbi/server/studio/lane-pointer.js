@@ -1,5 +1,5 @@
 // Pointers, fingers and keys on the lanes. Drawn across, they go to earlier times; two fingers, and the wheel with Ctrl, show less or more of
-// the time; who points at a lane is told what happened there.
+// the time; who points at a lane, or goes from turn to turn of the selected job, is told what happened there.
 const LEAST_PIXELS = 6;
 const WHEEL = 1.003;
 const KEY = 1.5;
@@ -11,9 +11,9 @@ function distance(one, other) {
 }
 
 export class LanePointer {
-  // changed(): another part of the time is shown; told(text): what somebody points at.
-  constructor(list, canvas, lanes, { changed, told }) {
-    Object.assign(this, { list, canvas, lanes, changed, told });
+  // changed(): another part of the time is shown; told(text): what somebody points at; selected(): the number of the selected job.
+  constructor(list, canvas, lanes, { changed, told, selected }) {
+    Object.assign(this, { list, canvas, lanes, changed, told, selected });
     // Where the fingers, or the mouse, are that have come down.
     this.down = new Map();
     this.drawn = false;
@@ -86,6 +86,7 @@ export class LanePointer {
     if (event.key === "+" || event.key === "-") this.lanes.zoom(event.key === "+" ? 1 / KEY : KEY, width / 2);
     else if (event.shiftKey && event.key === "ArrowLeft") this.lanes.pan(KEY_PART * width);
     else if (event.shiftKey && event.key === "ArrowRight") this.lanes.pan(-KEY_PART * width);
+    else if (event.key === "," || event.key === ".") this.told(this.lanes.step(this.selected(), event.key === "," ? -1 : 1));
     else return;
     event.preventDefault();
     this.changed();

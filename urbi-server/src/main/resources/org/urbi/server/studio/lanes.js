@@ -19,6 +19,8 @@ export class Lanes {
     // How much time is in sight, in milliseconds, and the time at its end; null for now.
     this.span = LONGEST;
     this.paused = null;
+    // The turn to which somebody has gone by keys.
+    this.turn = null;
   }
 
   colours() {
@@ -83,13 +85,32 @@ export class Lanes {
     return name + (kind === "running" || kind === "frozen" ? kind : `waits for ${kind}`);
   }
 
+  // Goes to an earlier or a later turn of a job than that of last time, to the latest one first; what it was, in words.
+  step(number, steps) {
+    const turns = this.jobs.turns.get(number) ?? [];
+    if (!turns.length) return number ? "No turn of this job yet since it came in sight." : "Select a job first.";
+    const known = turns.indexOf(this.turn);
+    this.turn = turns[known < 0 ? turns.length - 1 : Math.min(turns.length - 1, Math.max(0, known + steps))];
+    const { begin } = this.turn;
+    if (begin < this.at(0) || begin > this.end()) this.paused = Math.min(this.jobs.now(), begin + this.span / 2);
+    return `${this.jobs.rows.get(number)?.name}: ${this.ran(this.turn, number)}`;
+  }
+
   ran(turn, number) {
     const long = `ran for ${(turn.end - turn.begin).toFixed(2)} ms, ${((this.jobs.now() - turn.begin) / 1000).toFixed(2)} s ago`;
-    if (turn.waker === number) return `${long}, going on`;
+    const [first] = turn.wakers;
+    if (first === number) return `${long}, going on`;
     const waited = turn.before === "running" ? "" : `, after it had waited for ${turn.before}`;
-    if (!turn.waker) return long + waited;
-    const waker = this.jobs.rows.get(turn.waker);
-    return `${long}${waited}, woken by ${waker ? `${waker.name}: ${waker.code}` : "a job that has ended"}`;
+    if (!first) return long + waited;
+    const how = turn.before === "running" && first === this.jobs.rows.get(number)?.starter ? "started" : "woken";
+    return `${long}${waited}, ${how} by ${this.whoWoke(turn)}`;
+  }
+
+  // The job that has woken another one, or the one that had started it: those of the turns of an `every` soon end.
+  whoWoke({ wakers }) {
+    const known = wakers.map((number) => this.jobs.rows.get(number)).find((job) => job);
+    if (!known) return "a job that has ended";
+    return `${known.number === wakers[0] ? "" : "a job that was started by "}${known.name}: ${known.code}`;
   }
 
   draw() {
@@ -147,7 +168,11 @@ export class Lanes {
       context.fillStyle = colours.running;
       context.fillRect(from, y - sizes.lane / 2, end - from, sizes.lane);
       drawn = Math.floor(end) + 0.5;
-      const waker = turn.waker && turn.waker !== number ? middle.get(turn.waker) : undefined;
+      if (turn === this.turn) {
+        context.strokeStyle = colours.text;
+        context.strokeRect(from - 2.5, y - sizes.lane / 2 - 1.5, end - from + 5, sizes.lane + 3);
+      }
+      const waker = turn.wakers[0] === number ? undefined : middle.get(turn.wakers.find((each) => middle.has(each)));
       if (waker !== undefined) {
         context.fillStyle = colours.event;
         context.fillRect(from - 0.5, Math.min(waker, y), 1, Math.abs(waker - y));
