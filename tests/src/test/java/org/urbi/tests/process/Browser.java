@@ -224,6 +224,18 @@ final class Browser {
     }
   }
 
+  /** Presses a key: a character, or one of those that WebDriver has in Unicode's private area. */
+  void press(char key) throws IOException {
+    String value = "\\u%04x".formatted((int) key);
+    demand(
+        "/actions",
+        """
+        {"actions":[{"type":"key","id":"keyboard","actions":[
+        {"type":"keyDown","value":"%s"},{"type":"keyUp","value":"%s"}]}]}
+        """
+            .formatted(value, value));
+  }
+
   /** Clicks, with a pointer as people have it, at a place of the window in pixels. */
   void click(int x, int y) throws IOException {
     demand(

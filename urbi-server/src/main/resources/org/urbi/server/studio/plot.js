@@ -7,6 +7,7 @@ import { zoomByTouch } from "./plot-touch.js";
 const MOST = 16;
 const KEPT_SECONDS = 600;
 const HEIGHT = 13.75;
+const KEY_PART = 0.25;
 const COLOURS = ["jobs", "signal", "running", "event", "condition", "bad", "outside", "frozen"];
 
 export class Plot {
@@ -18,16 +19,14 @@ export class Plot {
     this.version = 0;
     this.paused = false;
     this.zoomed = false;
-    find("plot-span").addEventListener("change", () => {
-      this.zoomed = false;
-      this.draw();
-    });
+    find("plot-span").addEventListener("change", () => this.showAll());
     find("plot-pause").addEventListener("click", (event) => {
       this.paused = !this.paused;
       event.target.setAttribute("aria-pressed", this.paused);
       this.draw();
     });
     find("plot-csv").addEventListener("click", () => this.save());
+    find("plot-area").addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("resize", () => this.rebuild());
     this.rebuild();
   }
@@ -128,11 +127,29 @@ export class Plot {
     };
     this.chart = new uPlot(options, this.data, area);
     zoomByTouch(this.chart, () => (this.zoomed = true));
-    this.chart.over.addEventListener("dblclick", () => {
-      this.zoomed = false;
-      this.draw();
-    });
+    this.chart.over.addEventListener("dblclick", () => this.showAll());
     this.draw();
+  }
+
+  showAll() {
+    this.zoomed = false;
+    this.draw();
+  }
+
+  // What a mouse does by drawing, and by a double click.
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || !this.chart) return;
+    const { min, max } = this.chart.scales.x;
+    const part = (max - min) * KEY_PART;
+    const moves = { "+": [part, -part], "-": [-part, part], ArrowLeft: [-part, -part], ArrowRight: [part, part] };
+    const move = moves[event.key];
+    if (event.key === "Home") this.showAll();
+    else if (move) {
+      this.zoomed = true;
+      this.chart.setScale("x", { min: min + move[0], max: max + move[1] });
+      this.draw();
+    } else return;
+    event.preventDefault();
   }
 
   chip(way, index) {

@@ -29,7 +29,7 @@ const PAGE = `
         <button id="plot-pause" type="button" aria-pressed="false">Pause</button>
         <button id="plot-csv" type="button">CSV</button>
       </div>
-      <div id="plot-area" role="img" aria-label="The plotted numbers over time"></div>
+      <div id="plot-area" role="group" tabindex="0" aria-label="The plotted numbers over time; + and - zoom, the arrows go back and forth, Home shows all again"></div>
       <p id="plot-hint" class="hint">Choose a number and press Plot. Drag over the plot to zoom, double-click to see all again.</p>
     </section>
   </div>
