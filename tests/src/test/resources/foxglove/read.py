@@ -1,9 +1,11 @@
-"""Reads an MCAP file with the libraries of its inventors, and tells what is in it: read.py FILE [whole].
+"""Reads an MCAP file with the libraries of its inventors, and tells what is in it: read.py FILE [whole | live].
 
-With "whole" it wants the summary; without, it reads as far as it goes.
+With "whole" it wants the summary; without, it reads as far as it goes. With "live" the file has what look-ros.cjs has
+written.
 """
 import json
 import sys
+from base64 import b64decode
 from collections import Counter
 
 from mcap.exceptions import EndOfFile
@@ -45,12 +47,19 @@ def plain(value):
     return [plain(each) for each in value] if isinstance(value, (list, tuple)) else value
 
 
-def text(schema, channel, data):
-    if channel.message_encoding == "json":
+def text(schema, data):
+    if schema.encoding != "ros2msg":
         return data.decode()
-    message = DecoderFactory().decoder_for(channel.message_encoding, schema)(data)
+    message = DecoderFactory().decoder_for("cdr", schema)(data)
     return json.dumps(plain(message), separators=(",", ":"), ensure_ascii=False)
 
+
+if sys.argv[2:] == ["live"]:
+    with open(sys.argv[1]) as lines:
+        for topic, name, definition, data in map(str.split, lines):
+            schema = Schema(1, b64decode(definition), "ros2msg", b64decode(name).decode())
+            print(topic, schema.name, text(schema, b64decode(data)))
+    sys.exit()
 
 whole = sys.argv[2:] == ["whole"]
 with open(sys.argv[1], "rb") as file:
@@ -59,7 +68,7 @@ with open(sys.argv[1], "rb") as file:
     for schema, channel, message in messages:
         key = (channel.topic, schema.name)
         count[key] += 1
-        last[key] = (schema, channel, message.data)
+        last[key] = (schema, message.data)
         if channel.message_encoding == "cdr":
             topics.add(channel.topic)
         if count[key] == 1:

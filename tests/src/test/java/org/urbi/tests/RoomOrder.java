@@ -157,6 +157,7 @@ final class RoomOrder {
                   ".tools",
                   ".studio.files",
                   ".studio.access",
+                  ".studio.messages",
                   ".studio.foxglove",
                   ".studio.mcap",
                   ".studio",

@@ -120,6 +120,39 @@ class FoxglovePeersTest {
     }
   }
 
+  /**
+   * Foxglove's client takes them, and a library of ROS 2 reads them by the types that came along.
+   */
+  @ParameterizedTest
+  @ValueSource(strings = {"foxglove.websocket.v1", "foxglove.sdk.v1"})
+  void messagesOfRosAreReadLive(String subprotocol, @TempDir Path folder) throws Exception {
+    Path library = PEERS.resolve("protocol/node_modules");
+    assumeTrue(Files.exists(library), "no client: scripts/foxglove-peers.sh gets it");
+    Path program =
+        Files.writeString(folder.resolve("program.u"), PROGRAM + "waiting: every (1h) {},\n");
+    List<String> words = List.of("-q", "--studio=0", "-i", "-f", program.toString());
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      String line = urbi.awaitText(ADDRESS);
+      String address = "ws" + line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
+      urbi.send("echo(\"rea\" + \"dy\");\n");
+      urbi.awaitText("ready");
+      List<String> heard =
+          run(
+              Map.of("NODE_PATH", library.toString()),
+              "node",
+              SCRIPTS.resolve("look-ros.cjs").toString(),
+              address + "?messages=ros2",
+              subprotocol,
+              "/ball/x",
+              "/ball/picture");
+      Path messages = Files.write(folder.resolve("messages"), heard);
+      List<String> content = read(messages, "live");
+      has(content, "/ball/x urbi/msg/Number {\"value\":1.0}");
+      String image = "\"frame_id\":\"ball.picture\"},\"format\":\"jpeg\",\"data\":\"ffd8ff\"}";
+      assertTrue(content.stream().anyMatch(each -> each.endsWith(image)), content::toString);
+    }
+  }
+
   @Test
   void recordingOfSimulatedTimeIsComplete(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("run.mcap");

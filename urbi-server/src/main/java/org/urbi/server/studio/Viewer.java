@@ -79,7 +79,7 @@ final class Viewer extends StreamHandler {
   // ------------------------------------------------------------------ who it is
 
   @Override
-  protected void admitted(Channel channel, Role role) {
+  protected void admitted(Channel channel, Role role, String uri) {
     connection =
         lobbies.apply(
             new PageClient(

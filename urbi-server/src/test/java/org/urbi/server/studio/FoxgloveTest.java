@@ -13,6 +13,7 @@ import java.net.http.WebSocket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletionException;
@@ -81,6 +82,9 @@ class FoxgloveTest {
   private static final class Program extends StreamClient {
     private final ByteArrayOutputStream pieces = new ByteArrayOutputStream();
 
+    /** The last message, as it was written. */
+    private volatile byte[] message = {};
+
     Program(StudioServer studio, String query, String protocol) {
       super(studio, "/" + query, protocol);
     }
@@ -100,6 +104,8 @@ class FoxgloveTest {
         if (in.get() == 1) {
           int subscription = in.getInt();
           assertTrue(in.getLong() > 1_600_000_000_000_000_000L, "nanoseconds since the Epoch");
+          message = new byte[in.remaining()];
+          in.duplicate().get(message);
           heard.add(subscription + ": " + StandardCharsets.UTF_8.decode(in));
         } else if (in.get(0) == 3) {
           int call = in.getInt(5);
@@ -168,6 +174,42 @@ class FoxgloveTest {
         program.send("{'op':'getParameters','parameterNames':['ball.x'],'id':'a'}");
         program.await("'parameters':[{'name':'ball.x','value':42.0,'type':'float64'}],'id':'a'");
       }
+    }
+  }
+
+  /** A number that is nil is no message of ROS: it is left out, and those behind it are told. */
+  @Test
+  void messagesOfRosAreToldToWhoAsksForThem() throws Exception {
+    try (Program program = new Program(studio, "?messages=ros2", PROTOCOL)) {
+      String channels = program.await("'topic':'/ball/x'");
+      assertTrue(
+          channels.contains(
+              "\"topic\":\"/ball/x\",\"encoding\":\"cdr\",\"schemaName\":\"urbi/msg/Number\","
+                  + "\"schema\":\"float64 value\\n\",\"schemaEncoding\":\"ros2msg\""),
+          channels);
+      Matcher channel = Pattern.compile("\"id\":(\\d+),\"topic\":\"/ball/x\"").matcher(channels);
+      assertTrue(channel.find(), channels);
+      program.send(
+          "{'op':'subscribe','subscriptions':[{'id':7,'channelId':" + channel.group(1) + "}]}");
+      program.await("7: ");
+      kernel.eval("ball.x = nil|; ball.x = 43|");
+      byte[] wanted =
+          ByteBuffer.allocate(12)
+              .order(ByteOrder.LITTLE_ENDIAN)
+              .put(new byte[] {0, 1, 0, 0})
+              .putDouble(43)
+              .array();
+      while (!Arrays.equals(wanted, program.message)) {
+        program.await("7: ");
+      }
+    }
+  }
+
+  @Test
+  void unknownKindOfMessagesIsToldAndTheyAreJson() throws Exception {
+    try (Program program = new Program(studio, "?messages=xml", PROTOCOL)) {
+      program.await("messages: json or ros2 expected, not xml; they are json");
+      assertTrue(program.await("'topic':'/ball/x'").contains("\"urbi.Number\""));
     }
   }
 

@@ -33,8 +33,12 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
     this.mostRequests = mostRequests;
   }
 
-  /** It has been let in. */
-  protected abstract void admitted(Channel channel, Role role);
+  /**
+   * It has been let in.
+   *
+   * @param uri what it has asked for, with what is behind {@code ?}
+   */
+  protected abstract void admitted(Channel channel, Role role, String uri);
 
   /** Takes a frame of one that has been let in. */
   protected abstract void received(Channel channel, WebSocketFrame frame);
@@ -57,7 +61,7 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
                 .eventLoop()
                 .scheduleAtFixedRate(
                     () -> requests = Math.max(0, requests - mostRequests), 1, 1, TimeUnit.SECONDS);
-        admitted(channel, role);
+        admitted(channel, role, done.requestUri());
       } catch (Refused e) {
         refuse(channel, String.valueOf(e.getMessage()));
       }

@@ -10,9 +10,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Version;
+import org.urbi.server.studio.messages.Form;
+import org.urbi.server.studio.messages.Json;
+import org.urbi.server.studio.messages.Topic;
 
 /** What a program is sent. */
 final class Answer {
@@ -77,21 +81,27 @@ final class Answer {
         });
   }
 
-  /** There are channels, by their numbers. */
-  static TextWebSocketFrame advertise(Map<Integer, Topic> channels) {
+  /**
+   * There are channels.
+   *
+   * @param channels by their numbers
+   * @param forms how the messages of each are written
+   */
+  static TextWebSocketFrame advertise(Map<Integer, Topic> channels, Function<Topic, Form> forms) {
     return text(
         "advertise",
         out -> {
           out.writeArrayFieldStart("channels");
           for (Map.Entry<Integer, Topic> each : channels.entrySet()) {
             Topic topic = each.getValue();
+            Form form = forms.apply(topic);
             out.writeStartObject();
             out.writeNumberField("id", each.getKey());
             out.writeStringField("topic", topic.name());
-            out.writeStringField("encoding", "json");
-            out.writeStringField("schemaName", topic.schemaName());
-            out.writeStringField("schema", topic.schema());
-            out.writeStringField("schemaEncoding", "jsonschema");
+            out.writeStringField("encoding", form.messageEncoding());
+            out.writeStringField("schemaName", form.schemaName());
+            out.writeStringField("schema", form.schema());
+            out.writeStringField("schemaEncoding", form.schemaEncoding());
             out.writeEndObject();
           }
           out.writeEndArray();

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.urbi.server.studio.messages.BadMessage;
+import org.urbi.server.studio.messages.Json;
 
 /**
  * The service by which programs call functions of urbiscript: a request names the slot, and has the

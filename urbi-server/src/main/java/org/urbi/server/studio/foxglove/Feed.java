@@ -6,10 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.VariableKind;
 import org.urbi.kernel.observe.VariableListener;
 import org.urbi.server.studio.access.PageClient;
+import org.urbi.server.studio.messages.Form;
+import org.urbi.server.studio.messages.Topic;
 
 /**
  * Hands what the kernel tells to the thread of a program: values by its outbox, and which channels
@@ -22,6 +25,7 @@ final class Feed implements VariableListener {
   private final PageClient client;
   private final Outbox outbox;
   private final Subscriptions subscriptions;
+  private final Function<Topic, Form> forms;
   private final Consumer<WebSocketFrame> send;
   private final Runnable values;
 
@@ -32,6 +36,7 @@ final class Feed implements VariableListener {
   private boolean telling;
 
   /**
+   * @param forms how the messages of a topic are written
    * @param send sends a frame, on the thread of the program
    * @param values called there when there are values in the outbox
    */
@@ -39,11 +44,13 @@ final class Feed implements VariableListener {
       PageClient client,
       Outbox outbox,
       Subscriptions subscriptions,
+      Function<Topic, Form> forms,
       Consumer<WebSocketFrame> send,
       Runnable values) {
     this.client = client;
     this.outbox = outbox;
     this.subscriptions = subscriptions;
+    this.forms = forms;
     this.send = send;
     this.values = values;
   }
@@ -83,7 +90,7 @@ final class Feed implements VariableListener {
     }
     if (!appeared.isEmpty()) {
       appeared.forEach(subscriptions::appeared);
-      send.accept(Answer.advertise(appeared));
+      send.accept(Answer.advertise(appeared, forms));
       appeared.clear();
     }
   }

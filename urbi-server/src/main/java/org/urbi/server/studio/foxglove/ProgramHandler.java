@@ -6,6 +6,7 @@ import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
+import io.netty.handler.codec.http.QueryStringDecoder;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketFrame;
@@ -25,6 +26,11 @@ import org.urbi.server.studio.access.Admission;
 import org.urbi.server.studio.access.LateAnswers;
 import org.urbi.server.studio.access.PageClient;
 import org.urbi.server.studio.access.StreamHandler;
+import org.urbi.server.studio.messages.BadMessage;
+import org.urbi.server.studio.messages.Form;
+import org.urbi.server.studio.messages.Json;
+import org.urbi.server.studio.messages.RosType;
+import org.urbi.server.studio.messages.Topic;
 
 /**
  * A program that speaks Foxglove's WebSocket protocol. When it has been let in, it has a connection
@@ -49,6 +55,8 @@ public final class ProgramHandler extends StreamHandler {
   private static final int AT_ONCE = 200;
 
   private static final int MOST_PUBLICATIONS = 1000;
+  private static final String JSON = "json";
+  private static final String ROS = "ros2";
   private static final byte PUBLISHED = 1;
   private static final byte CALLED = 2;
 
@@ -59,7 +67,7 @@ public final class ProgramHandler extends StreamHandler {
   private @Nullable Program program;
 
   /** What there is of it once it has been let in. */
-  private record Program(Connection connection, Subscriptions subscriptions) {}
+  private record Program(Connection connection, Subscriptions subscriptions, boolean ros) {}
 
   /**
    * @param lobbies makes the lobby of a program that has been let in
@@ -80,7 +88,7 @@ public final class ProgramHandler extends StreamHandler {
   // ------------------------------------------------------------------ who it is
 
   @Override
-  protected void admitted(Channel channel, Role role) {
+  protected void admitted(Channel channel, Role role, String uri) {
     PageClient client =
         new PageClient(
             channel,
@@ -106,17 +114,33 @@ public final class ProgramHandler extends StreamHandler {
             connection.follow(variable, on);
           }
         });
-    program = new Program(connection, subscriptions);
+    String messages = messages(uri);
+    boolean ros = messages.equals(ROS);
+    Function<Topic, Form> forms = ros ? Form::rosOrJson : Form::json;
+    program = new Program(connection, subscriptions, ros);
     send(channel, Answer.serverInfo(role));
+    if (!ros && !messages.equals(JSON)) {
+      String problem = "messages: " + JSON + " or " + ROS + " expected, not " + messages;
+      send(channel, Answer.status(Answer.Level.WARNING, problem + "; they are " + JSON));
+    }
     Map<Integer, Topic> ofKernel =
         Map.of(Feed.LOG_CHANNEL, Topic.LOG, JobsFeed.CHANNEL, Topic.JOBS);
     ofKernel.forEach(subscriptions::appeared);
-    send(channel, Answer.advertise(ofKernel));
+    send(channel, Answer.advertise(ofKernel, forms));
     if (role != Role.OBSERVER) {
       send(channel, Answer.advertiseCalls());
     }
-    Feed feed = new Feed(client, outbox, subscriptions, frame -> send(channel, frame), values);
+    Feed feed =
+        new Feed(client, outbox, subscriptions, forms, frame -> send(channel, frame), values);
     connection.feed(feed, false, watched);
+  }
+
+  /** How the address wants messages to be written: not all programs can read those of ROS 2. */
+  private static String messages(String uri) {
+    return new QueryStringDecoder(uri)
+        .parameters()
+        .getOrDefault("messages", List.of(JSON))
+        .getFirst();
   }
 
   @Override
@@ -137,13 +161,12 @@ public final class ProgramHandler extends StreamHandler {
 
   /** Sends what has happened, as long as it is read. */
   private void tell(Channel channel) {
-    Subscriptions subscriptions = program().subscriptions();
     long time = 0;
     int left = AT_ONCE;
     Outbox.Value next = channel.isWritable() ? outbox.take() : null;
     while (next != null) {
       time = next.time();
-      tell(channel, subscriptions, next);
+      tell(channel, next);
       next = channel.isWritable() && --left > 0 ? outbox.take() : null;
     }
     if (left == 0) {
@@ -162,16 +185,19 @@ public final class ProgramHandler extends StreamHandler {
     channel.flush();
   }
 
-  private static void tell(Channel channel, Subscriptions subscriptions, Outbox.Value value) {
+  private void tell(Channel channel, Outbox.Value value) {
+    Subscriptions subscriptions = program().subscriptions();
     Topic topic = subscriptions.topic(value.channel());
     if (topic == null) {
       return;
     }
     List<Long> wanted = subscriptions.of(value.channel());
     if (!wanted.isEmpty()) {
-      byte[] message = topic.message(value.time(), value.value());
-      for (long subscription : wanted) {
-        channel.write(Answer.message(subscription, value.time(), message));
+      byte[] message = message(topic, value);
+      if (message != null) {
+        for (long subscription : wanted) {
+          channel.write(Answer.message(subscription, value.time(), message));
+        }
       }
     }
     if (subscriptions.isWatched(topic)) {
@@ -179,6 +205,16 @@ public final class ProgramHandler extends StreamHandler {
       values.add(value.value());
       channel.write(Answer.parameterValues(List.of(topic.path()), values, null));
     }
+  }
+
+  /**
+   * A message as it was announced; null if there is none of that type: for a number that is nil.
+   */
+  private byte @Nullable [] message(Topic topic, Outbox.Value value) {
+    RosType type = program().ros() ? RosType.of(topic) : null;
+    return type == null
+        ? topic.message(value.time(), value.value())
+        : type.message(topic, value.time(), value.value());
   }
 
   @Override
@@ -279,7 +315,7 @@ public final class ProgramHandler extends StreamHandler {
   // ------------------------------------------------------------------ what it publishes
 
   private void offer(Request.Publication channel) throws BadMessage {
-    if (!channel.encoding().equals("json")) {
+    if (!channel.encoding().equals(JSON)) {
       throw new BadMessage("encoding: json expected, not " + channel.encoding());
     }
     if (publications.size() == MOST_PUBLICATIONS) {

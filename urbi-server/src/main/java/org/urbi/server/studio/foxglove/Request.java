@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.urbi.server.studio.messages.BadMessage;
+import org.urbi.server.studio.messages.Json;
 
 /** What a program asks for by text. */
 sealed interface Request {

@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.server.studio.messages.BadMessage;
+import org.urbi.server.studio.messages.Topic;
 
 /** What channels there are for a program, and which of them it wants to be told of. */
 final class Subscriptions {

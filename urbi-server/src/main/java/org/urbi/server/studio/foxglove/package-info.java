@@ -1,5 +1,5 @@
 /**
- * What Foxglove, and programs like it, are sent: variables as channels of messages in JSON, by its
+ * What Foxglove, and programs like it, are sent: variables as channels of messages, by its
  * WebSocket protocol (docs/recording.md).
  */
 @NullMarked

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.urbi.server.studio.messages.LittleEndianBuffer;
 
 /** Messages that are written together, with an index of each of their channels. */
 final class McapChunk {
@@ -14,7 +15,7 @@ final class McapChunk {
 
   private record Entry(long time, long offset) {}
 
-  private final McapBuffer records = new McapBuffer();
+  private final LittleEndianBuffer records = new LittleEndianBuffer();
   private final Map<Integer, List<Entry>> entries = new TreeMap<>();
   private long first = Long.MAX_VALUE;
   private long last;
@@ -25,7 +26,7 @@ final class McapChunk {
   }
 
   /** Adds a record that is no message: a schema, or a channel. */
-  void add(int opcode, McapBuffer content) {
+  void add(int opcode, LittleEndianBuffer content) {
     records.record(opcode, content);
   }
 
@@ -41,7 +42,7 @@ final class McapChunk {
     last = Math.max(last, time);
     records.record(
         MESSAGE,
-        new McapBuffer()
+        new LittleEndianBuffer()
             .shortNumber(channel)
             .number(sequence)
             .longNumber(time)
@@ -55,11 +56,11 @@ final class McapChunk {
    * @param position in the file, of the first byte of what is to be written
    * @return its index for the summary
    */
-  McapBuffer write(McapBuffer out, long position) {
+  LittleEndianBuffer write(LittleEndianBuffer out, long position) {
     long start = position + out.size();
     long begin = entries.isEmpty() ? 0 : first;
-    McapBuffer chunk =
-        new McapBuffer()
+    LittleEndianBuffer chunk =
+        new LittleEndianBuffer()
             .longNumber(begin)
             .longNumber(last)
             .longNumber(records.size())
@@ -72,14 +73,15 @@ final class McapChunk {
     Map<Integer, Long> offsets = new TreeMap<>();
     entries.forEach((channel, of) -> {
       offsets.put(channel, position + out.size());
-      McapBuffer index = new McapBuffer();
+      LittleEndianBuffer index = new LittleEndianBuffer();
       of.forEach(each -> index.longNumber(each.time).longNumber(each.offset));
-      out.record(MESSAGE_INDEX, new McapBuffer().shortNumber(channel).block(index.toBytes()));
+      out.record(
+          MESSAGE_INDEX, new LittleEndianBuffer().shortNumber(channel).block(index.toBytes()));
     });
-    return new McapBuffer()
+    return new LittleEndianBuffer()
         .record(
             CHUNK_INDEX,
-            new McapBuffer()
+            new LittleEndianBuffer()
                 .longNumber(begin)
                 .longNumber(last)
                 .longNumber(start)

@@ -10,6 +10,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.TreeMap;
+import org.urbi.server.studio.messages.Form;
+import org.urbi.server.studio.messages.LittleEndianBuffer;
 
 /**
  * An MCAP file (mcap.dev) that is being written: messages in chunks, which are not compressed. What
@@ -41,10 +43,10 @@ final class McapFile implements Closeable {
   private final Map<Integer, Long> counts = new TreeMap<>();
 
   /** What is repeated in the summary, which finds it without reading the rest. */
-  private final McapBuffer schemaRecords = new McapBuffer();
+  private final LittleEndianBuffer schemaRecords = new LittleEndianBuffer();
 
-  private final McapBuffer channelRecords = new McapBuffer();
-  private final McapBuffer chunkIndexes = new McapBuffer();
+  private final LittleEndianBuffer channelRecords = new LittleEndianBuffer();
+  private final LittleEndianBuffer chunkIndexes = new LittleEndianBuffer();
   private McapChunk chunk = new McapChunk();
   private int channels;
   private int chunks;
@@ -65,7 +67,10 @@ final class McapFile implements Closeable {
             StandardOpenOption.TRUNCATE_EXISTING,
             StandardOpenOption.WRITE);
     try {
-      write(new McapBuffer().raw(MAGIC).record(HEADER, new McapBuffer().text("").text(library)));
+      write(
+          new LittleEndianBuffer()
+              .raw(MAGIC)
+              .record(HEADER, new LittleEndianBuffer().text("").text(library)));
     } catch (IOException e) {
       file.close();
       throw e;
@@ -88,7 +93,7 @@ final class McapFile implements Closeable {
       schemas.put(form.schemaName(), known);
       declare(
           SCHEMA,
-          new McapBuffer()
+          new LittleEndianBuffer()
               .shortNumber(known)
               .text(form.schemaName())
               .text(form.schemaEncoding())
@@ -98,7 +103,7 @@ final class McapFile implements Closeable {
     int number = ++channels;
     declare(
         CHANNEL,
-        new McapBuffer()
+        new LittleEndianBuffer()
             .shortNumber(number)
             .shortNumber(known)
             .text(topic)
@@ -108,7 +113,7 @@ final class McapFile implements Closeable {
     return number;
   }
 
-  private void declare(int opcode, McapBuffer content, McapBuffer summary) {
+  private void declare(int opcode, LittleEndianBuffer content, LittleEndianBuffer summary) {
     chunk.add(opcode, content);
     summary.record(opcode, content);
   }
@@ -143,8 +148,8 @@ final class McapFile implements Closeable {
    */
   void flush() throws IOException {
     if (isPending()) {
-      McapBuffer out = new McapBuffer();
-      McapBuffer index = chunk.write(out, file.position());
+      LittleEndianBuffer out = new LittleEndianBuffer();
+      LittleEndianBuffer index = chunk.write(out, file.position());
       write(out);
       chunkIndexes.raw(index.toBytes());
       chunks++;
@@ -153,7 +158,7 @@ final class McapFile implements Closeable {
   }
 
   /** Writes all, or nothing: half a record at the end would be an error for readers. */
-  private void write(McapBuffer out) throws IOException {
+  private void write(LittleEndianBuffer out) throws IOException {
     long before = file.position();
     ByteBuffer bytes = ByteBuffer.wrap(out.toBytes());
     try {
@@ -180,23 +185,25 @@ final class McapFile implements Closeable {
   public void close() throws IOException {
     try (file) {
       flush();
-      McapBuffer end = new McapBuffer().record(DATA_END, new McapBuffer().number(0));
+      LittleEndianBuffer end =
+          new LittleEndianBuffer().record(DATA_END, new LittleEndianBuffer().number(0));
       long start = file.position() + end.size();
-      McapBuffer summary = summary(start);
-      McapBuffer footer = new McapBuffer();
+      LittleEndianBuffer summary = summary(start);
+      LittleEndianBuffer footer = new LittleEndianBuffer();
       footer
           .octet(FOOTER)
           .longNumber(FOOTER_CONTENT)
           .longNumber(start)
           .longNumber(start + offsetsAt());
-      McapBuffer checked = new McapBuffer().raw(summary.toBytes()).raw(footer.toBytes());
+      LittleEndianBuffer checked =
+          new LittleEndianBuffer().raw(summary.toBytes()).raw(footer.toBytes());
       write(end.raw(checked.toBytes()).number(checked.crc()).raw(MAGIC));
     }
   }
 
-  private McapBuffer statistics() {
-    McapBuffer content =
-        new McapBuffer()
+  private LittleEndianBuffer statistics() {
+    LittleEndianBuffer content =
+        new LittleEndianBuffer()
             .longNumber(messages)
             .shortNumber(schemas.size())
             .number(channels)
@@ -206,7 +213,7 @@ final class McapFile implements Closeable {
             .longNumber(messages == 0 ? 0 : first)
             .longNumber(last)
             .counts(counts);
-    return new McapBuffer().record(STATISTICS, content);
+    return new LittleEndianBuffer().record(STATISTICS, content);
   }
 
   /** Where in the summary its own index begins. */
@@ -217,19 +224,19 @@ final class McapFile implements Closeable {
         + chunkIndexes.size();
   }
 
-  private McapBuffer summary(long start) {
-    Map<Integer, McapBuffer> groups = new LinkedHashMap<>();
+  private LittleEndianBuffer summary(long start) {
+    Map<Integer, LittleEndianBuffer> groups = new LinkedHashMap<>();
     groups.put(SCHEMA, schemaRecords);
     groups.put(CHANNEL, channelRecords);
     groups.put(STATISTICS, statistics());
     groups.put(CHUNK_INDEX, chunkIndexes);
-    McapBuffer summary = new McapBuffer();
-    McapBuffer offsets = new McapBuffer();
+    LittleEndianBuffer summary = new LittleEndianBuffer();
+    LittleEndianBuffer offsets = new LittleEndianBuffer();
     groups.forEach((opcode, records) -> {
       if (records.size() > 0) {
         offsets.record(
             SUMMARY_OFFSET,
-            new McapBuffer()
+            new LittleEndianBuffer()
                 .octet(opcode)
                 .longNumber(start + summary.size())
                 .longNumber(records.size()));

@@ -22,7 +22,9 @@ import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Version;
-import org.urbi.server.studio.foxglove.Topic;
+import org.urbi.server.studio.messages.Form;
+import org.urbi.server.studio.messages.RosType;
+import org.urbi.server.studio.messages.Topic;
 
 /**
  * Records all variables and the log of a kernel to an MCAP file, on a thread of its own. When the

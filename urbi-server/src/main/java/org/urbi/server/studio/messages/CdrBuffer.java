@@ -1,4 +1,4 @@
-package org.urbi.server.studio.mcap;
+package org.urbi.server.studio.messages;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -8,9 +8,9 @@ final class CdrBuffer {
   private static final byte[] LITTLE_ENDIAN = {0, 1, 0, 0};
 
   /** The header, from whose end multiples are counted, and what follows it. */
-  private final McapBuffer content = new McapBuffer().raw(LITTLE_ENDIAN);
+  private final LittleEndianBuffer content = new LittleEndianBuffer().raw(LITTLE_ENDIAN);
 
-  private McapBuffer aligned(int size) {
+  private LittleEndianBuffer aligned(int size) {
     while ((content.size() - LITTLE_ENDIAN.length) % size != 0) {
       content.octet(0);
     }

@@ -1,4 +1,4 @@
-package org.urbi.server.studio.foxglove;
+package org.urbi.server.studio.messages;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package org.urbi.server.studio.foxglove;
+package org.urbi.server.studio.messages;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.Bytes;
 
 /** JSON of values: Doubles, Booleans, Strings, Lists, Maps, binaries, and null. */
-final class Json {
+public final class Json {
   private static final int DEEPEST = 24;
   private static final int LONGEST_NUMBER = 30;
 
@@ -31,14 +31,14 @@ final class Json {
 
   /** Writes a part of a text. */
   @FunctionalInterface
-  interface Content {
+  public interface Content {
     void write(JsonGenerator out) throws IOException;
   }
 
   private Json() {}
 
   /** An object, in UTF-8. */
-  static byte[] object(Content fields) {
+  public static byte[] object(Content fields) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (JsonGenerator out = FACTORY.createGenerator(bytes)) {
       out.writeStartObject();
@@ -51,7 +51,7 @@ final class Json {
   }
 
   /** A map of values as an object, in UTF-8. */
-  static byte[] object(Map<?, ?> values) {
+  public static byte[] object(Map<?, ?> values) {
     return object(out -> {
       for (Map.Entry<?, ?> each : values.entrySet()) {
         out.writeFieldName(String.valueOf(each.getKey()));
@@ -61,7 +61,7 @@ final class Json {
   }
 
   /** Writes a value. What JSON has no number for (infinity, nan) becomes null. */
-  static void write(JsonGenerator out, @Nullable Object value) throws IOException {
+  public static void write(JsonGenerator out, @Nullable Object value) throws IOException {
     switch (value) {
       case Double number -> {
         if (Double.isFinite(number)) {
@@ -102,7 +102,7 @@ final class Json {
    *
    * @throws BadMessage if it is none
    */
-  static Map<String, @Nullable Object> read(byte[] text) throws BadMessage {
+  public static Map<String, @Nullable Object> read(byte[] text) throws BadMessage {
     try (JsonParser parser = FACTORY.createParser(text)) {
       if (parser.nextToken() != JsonToken.START_OBJECT) {
         throw new BadMessage("a JSON object expected");

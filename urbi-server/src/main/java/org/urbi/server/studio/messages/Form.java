@@ -1,6 +1,4 @@
-package org.urbi.server.studio.mcap;
-
-import org.urbi.server.studio.foxglove.Topic;
+package org.urbi.server.studio.messages;
 
 /**
  * How the messages of a channel are written.
@@ -10,10 +8,17 @@ import org.urbi.server.studio.foxglove.Topic;
  * @param schema its text
  * @param messageEncoding how the bytes of a message are to be read
  */
-record Form(String schemaName, String schemaEncoding, String schema, String messageEncoding) {
+public record Form(
+    String schemaName, String schemaEncoding, String schema, String messageEncoding) {
   /** JSON, which can tell any value. */
-  static Form json(Topic topic) {
+  public static Form json(Topic topic) {
     return new Form(topic.schemaName(), "jsonschema", topic.schema(), "json");
+  }
+
+  /** Messages of ROS 2 where there is a type for what a topic usually tells, else JSON. */
+  public static Form rosOrJson(Topic topic) {
+    RosType type = RosType.of(topic);
+    return type == null ? json(topic) : type.form();
   }
 
   /** A message of ROS 2. */

@@ -1,15 +1,14 @@
-package org.urbi.server.studio.mcap;
+package org.urbi.server.studio.messages;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.Bytes;
-import org.urbi.server.studio.foxglove.Topic;
 
 /**
  * Messages of ROS 2, for whatever has a type there: they can be read by programs that know nothing
  * of JSON, and images are a quarter smaller. The fields of variables are called as in JSON.
  */
-enum RosType {
+public enum RosType {
   NUMBER("urbi/msg/Number", "float64 value\n"),
   BOOLEAN("urbi/msg/Boolean", "bool value\n"),
   TEXT("urbi/msg/Text", "string value\n"),
@@ -57,12 +56,12 @@ enum RosType {
   }
 
   /** How its messages are written. */
-  Form form() {
+  public Form form() {
     return form;
   }
 
   /** The type of what a topic usually tells; null if ROS has none, as for lists of anything. */
-  static @Nullable RosType of(Topic topic) {
+  public static @Nullable RosType of(Topic topic) {
     if (topic.equals(Topic.LOG)) {
       return LOG;
     }
@@ -82,7 +81,7 @@ enum RosType {
    * @param time in nanoseconds since the Epoch
    * @return null if the value is of another type: a number that is nil by now
    */
-  byte @Nullable [] message(Topic topic, long time, @Nullable Object value) {
+  public byte @Nullable [] message(Topic topic, long time, @Nullable Object value) {
     CdrBuffer out = new CdrBuffer();
     return switch (value) {
       case Double number when this == NUMBER -> out.real(number).toBytes();
