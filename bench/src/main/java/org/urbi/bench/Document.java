@@ -3,7 +3,6 @@ package org.urbi.bench;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,7 +23,6 @@ final class Document {
   private static final String MACHINE = "@machine@";
   private static final String TABLES = "@tables@";
   private static final String DIGEST = "<!-- benchmarks %s -->";
-  private static final double CALM = 0.25;
 
   private final Path root;
 
@@ -35,12 +33,6 @@ final class Document {
   /** Where it is. */
   Path file() {
     return root.resolve("docs/benchmarks.md");
-  }
-
-  /** Whether so little else goes on that figures mean something. */
-  static boolean isCalm() {
-    var system = ManagementFactory.getOperatingSystemMXBean();
-    return system.getSystemLoadAverage() <= CALM * system.getAvailableProcessors();
   }
 
   /** Writes it anew. */

@@ -76,8 +76,9 @@ public final class WholePrograms {
     if (document && (quick || profile || !only.isEmpty())) {
       throw Failure.usage("--document wants everything, measured thoroughly");
     }
-    if (document && !Document.isCalm()) {
-      throw Failure.of("the machine is busy: its figures are not for docs/benchmarks.md");
+    if (document && !Load.isCalm()) {
+      throw Failure.of(
+          "the machine is busy (" + Load.text() + "): its figures are not for docs/benchmarks.md");
     }
     List<String> description = machine.description();
     description.forEach(progress::println);
