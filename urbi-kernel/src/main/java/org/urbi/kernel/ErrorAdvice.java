@@ -1,7 +1,6 @@
 package org.urbi.kernel;
 
 import java.util.Locale;
-import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -25,40 +24,6 @@ import org.urbi.lang.source.Span;
  * code of users: asked for when something has already gone wrong.
  */
 final class ErrorAdvice {
-  /** What other languages call what urbiscript has. */
-  private static final Map<String, String> FOREIGN =
-      Map.ofEntries(
-          Map.entry("printf", "echo(\"… %s\" % [value])"),
-          Map.entry("println", "echo(value)"),
-          Map.entry("puts", "echo(value)"),
-          Map.entry("console", "echo(value)"),
-          Map.entry("cout", "echo(value)"),
-          Map.entry("pop", "list.removeBack"),
-          Map.entry("pow", "base ** exponent"),
-          Map.entry("None", "nil"),
-          Map.entry("NULL", "nil"),
-          Map.entry("undefined", "nil"),
-          Map.entry("True", "true"),
-          Map.entry("False", "false"),
-          Map.entry("len", "list.size"),
-          Map.entry("length", "size"),
-          Map.entry("strlen", "text.size"),
-          Map.entry("append", "list << value"),
-          Map.entry("push", "list << value"),
-          Map.entry("push_back", "list << value"),
-          Map.entry("str", "asString"),
-          Map.entry("toString", "asString"),
-          Map.entry("to_s", "asString"),
-          Map.entry("parseInt", "asFloat"),
-          Map.entry("parseFloat", "asFloat"),
-          Map.entry("require", "load(\"file.u\")"),
-          Map.entry("include", "load(\"file.u\")"),
-          Map.entry("wait", "sleep(1s)"),
-          Map.entry("exit", "quit, shutdown"),
-          Map.entry("math", "Math"),
-          Map.entry("PI", "pi"),
-          Map.entry("range", "for (var i : 3), 3.seq"));
-
   /** How far around a place is looked: a program may be one long line. */
   private static final int LOOK_AROUND = 16;
 
@@ -133,8 +98,9 @@ final class ErrorAdvice {
   }
 
   private @Nullable String lookup(String name, @Nullable UrbiObject asked) {
-    if (FOREIGN.containsKey(name)) {
-      return Hint.FOREIGN_NAME.text(name, FOREIGN.get(name));
+    String meant = ForeignNames.meant(name, asked == null ? "" : typeName(asked));
+    if (meant != null) {
+      return Hint.FOREIGN_NAME.text(name, meant);
     } else if (asked == null) {
       return null;
     } else if (asked == interpreter.values().nil) {
@@ -257,6 +223,9 @@ final class ErrorAdvice {
     }
     if (routine.equals("sort")) {
       return Hint.COMPARES.text();
+    }
+    if (routine.equals("join")) {
+      return Hint.JOIN.text();
     }
     if (isWhole(MATH) && slot("maximum") instanceof UrbiFloat most) {
       int count = (int) most.value();

@@ -43,6 +43,7 @@ public enum Hint {
   INIT("`new' gives its arguments to `init' of {name}, which takes ({parameters})"),
   NO_INIT("`new' gives its arguments to `init', which {name} lacks: function init(…) { … }"),
   COMPARES("what sorts is asked of two elements: list.sort(function (a, b) { a > b })"),
+  JOIN("a list joins its elements: [\"a\", \"b\"].join(\", \")"),
   CALLED_BY_NAME("a name alone calls: the function itself is closure (x) { {name}(x) }"),
   NUMBERS("`Math.{name}' takes {count} number{s}"),
   EVENT_CONDITION("an event is true as any object is: `{name}?' waits until it is emitted"),

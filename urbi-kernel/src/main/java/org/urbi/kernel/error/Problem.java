@@ -63,7 +63,7 @@ public enum Problem {
   UNMATCHED(
       MATCH_FAILURE,
       "pattern did not match",
-      "the value has another form than what stands before ="),
+      "= gives a value to a name or a slot; a pattern before it has the form of the value"),
   IN_ROUTINE(PART, "{routine}: {message}"),
   ARGUMENTS_EXACTLY(ARITY, "{routine}: expected {minimum} argument{s}, given {given}"),
   ARGUMENTS_AT_LEAST(ARITY, "{routine}: expected at least {minimum} argument{s}, given {given}"),

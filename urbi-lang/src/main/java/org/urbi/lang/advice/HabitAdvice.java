@@ -115,8 +115,13 @@ final class HabitAdvice {
         && !around.is(at - 1, UrbiscriptLexer.ELSE)
         && around.sameLine(at - 1, at)) {
       return Advice.of(SyntaxHint.IF_FIRST.text());
+    } else if (around.is(at, UrbiscriptLexer.ELSE) && around.is(first, UrbiscriptLexer.AT)) {
+      return Advice.of(SyntaxHint.ONLEAVE.text());
     } else if (open != null && open.mark() == '(') {
       int before = open.token() - 1;
+      if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.ASSERT)) {
+        return Advice.of(SyntaxHint.ASSERT_MESSAGE.text());
+      }
       if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.FOR)) {
         return Advice.of(SyntaxHint.LOOP_PARTS.text());
       }
@@ -147,6 +152,35 @@ final class HabitAdvice {
     var closest = new StringDistance.ClosestName(word);
     closest.consider(keyword);
     return closest.meant() != null;
+  }
+
+  /**
+   * {@code [i * 2 for …]}, {@code f(*list)}, {@code f(...list)}, {@code constructor() { … }} in a
+   * class.
+   */
+  static @Nullable Advice nested(Surroundings around) {
+    int at = around.at();
+    OpenBracket open = around.innermost();
+    if (open == null) {
+      return null;
+    }
+    int before = open.token() - 1;
+    boolean begins = at == open.token() + 1;
+    if (around.is(at, UrbiscriptLexer.FOR) && open.mark() == '[') {
+      return Advice.of(SyntaxHint.COMPREHENSION.text());
+    } else if (begins
+        && around.is(at, UrbiscriptLexer.TIMES, UrbiscriptLexer.POWER, UrbiscriptLexer.DOT)
+        && around.is(before, UrbiscriptLexer.WORD)) {
+      return Advice.of(SyntaxHint.ARGUMENT_LIST.text(around.text(before)));
+    }
+    int first = around.statement(at);
+    return around.is(at, UrbiscriptLexer.LBRACE)
+            && around.is(at - 1, UrbiscriptLexer.RPAREN)
+            && around.is(first, UrbiscriptLexer.WORD)
+            && open.mark() == '{'
+            && around.is(around.statement(open.token()), UrbiscriptLexer.CLASS)
+        ? Advice.of(SyntaxHint.METHOD.text(around.text(first)))
+        : null;
   }
 
   /** {@code var at}, {@code object.every}, {@code f(every)}. */

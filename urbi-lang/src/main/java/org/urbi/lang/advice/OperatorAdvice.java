@@ -52,6 +52,8 @@ final class OperatorAdvice {
       hint = SyntaxHint.LIKE_FUNCTION;
     } else if (around.is(at, UrbiscriptLexer.QUESTION) && chooses(around, at)) {
       hint = SyntaxHint.NO_CHOICE;
+    } else if (around.is(at, UrbiscriptLexer.QUESTION)) {
+      hint = SyntaxHint.ONLY_EVENTS;
     } else if (around.is(at, UrbiscriptLexer.COLON)) {
       OpenBracket open = around.innermost();
       if (open != null && open.mark() == '[') {

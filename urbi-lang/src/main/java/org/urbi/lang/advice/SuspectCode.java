@@ -5,13 +5,20 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.problem.SyntaxHint;
+import org.urbi.lang.source.Span;
 
 /** Code that is valid, but does something else than who typed it may think. */
 public final class SuspectCode {
+  private static final Pattern SIGN = Pattern.compile("\\s*(?<operator>=(?<sign>[-+]))\\s");
+  private static final Set<String> VALUES = Set.of("true", "false", "nil", "void");
+
   private SuspectCode() {}
 
   /**
@@ -24,7 +31,15 @@ public final class SuspectCode {
     if (separator == Ast.Flavor.SEMICOLON && isEndless(statement)) {
       found.add(new Note(statement.span(), SyntaxHint.ENDLESS.text()));
     }
-    walk(statement, each -> condition(each, found));
+    walk(
+        statement,
+        each -> {
+          condition(each, found);
+          if (each instanceof Ast.Assignment assignment) {
+            sign(assignment, found);
+            value(assignment, found);
+          }
+        });
     return found;
   }
 
@@ -42,7 +57,7 @@ public final class SuspectCode {
     return !ends[0];
   }
 
-  /** {@code if (x = 1) …}. */
+  /** {@code if (x = 1) …}, {@code if (x & 1) …}. */
   private static void condition(Record code, List<Note> found) {
     @Nullable Ast condition =
         switch (code) {
@@ -53,6 +68,31 @@ public final class SuspectCode {
         };
     if (condition instanceof Ast.Assignment assignment) {
       found.add(new Note(assignment.span(), SyntaxHint.COMPARISON.text()));
+    } else if (condition instanceof Ast.Sequence parts
+        && !parts.separators().contains(Ast.Flavor.SEMICOLON)) {
+      found.add(new Note(parts.span(), SyntaxHint.COMPOSED.text()));
+    }
+  }
+
+  /** {@code x =+ 1}, but not {@code x = +1} or {@code x =-1}. */
+  private static void sign(Ast.Assignment assignment, List<Note> found) {
+    Span all = assignment.span();
+    Span target = assignment.target().span();
+    Matcher operator = SIGN.matcher(all.source().text()).region(target.end(), all.end());
+    if (operator.lookingAt()) {
+      String sign = operator.group("sign");
+      Span place = new Span(all.source(), operator.start("operator"), operator.end("operator"));
+      found.add(new Note(place, SyntaxHint.SIGN.text(sign, sign)));
+    }
+  }
+
+  /** {@code true = 1}. These are names like others, so that it is allowed. */
+  private static void value(Ast.Assignment assignment, List<Note> found) {
+    if (assignment.target() instanceof Ast.Message name
+        && name.target() == null
+        && name.arguments() == null
+        && VALUES.contains(name.name())) {
+      found.add(new Note(name.span(), SyntaxHint.VALUE.text(name.name())));
     }
   }
 

@@ -19,6 +19,7 @@ public final class SyntaxAdvice {
           HabitAdvice::declaration,
           HabitAdvice::value,
           HabitAdvice::statement,
+          HabitAdvice::nested,
           HabitAdvice::name,
           WordAdvice::characters,
           OperatorAdvice::operator,

@@ -1,6 +1,7 @@
 package org.urbi.lang.advice;
 
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.grammar.Keywords;
 import org.urbi.lang.grammar.LexicalError;
@@ -28,6 +29,17 @@ final class WordAdvice {
           Map.entry("float", "var"),
           Map.entry("double", "var"),
           Map.entry("bool", "var"),
+          Map.entry("char", "var"),
+          Map.entry("long", "var"),
+          Map.entry("short", "var"),
+          Map.entry("unsigned", "var"),
+          Map.entry("struct", "class"),
+          Map.entry("delete", "removeLocalSlot(\"…\")"),
+          Map.entry("del", "removeLocalSlot(\"…\")"),
+          Map.entry("global", "var Global.…"),
+          Map.entry("with", "try { … } finally { … }"),
+          Map.entry("typeof", "x.type"),
+          Map.entry("instanceof", "x.isA(…)"),
           Map.entry("except", "catch"),
           Map.entry("raise", "throw"),
           Map.entry("until", "while (!…)"),
@@ -37,6 +49,9 @@ final class WordAdvice {
           Map.entry("repeat", "loop"),
           Map.entry("wait", "sleep(…)"),
           Map.entry("is", "=="));
+
+  /** Those that do not only begin a statement. */
+  private static final Set<String> WITHIN = Set.of("is", "until", "instanceof", "typeof");
 
   private WordAdvice() {}
 
@@ -52,11 +67,7 @@ final class WordAdvice {
           return Advice.of((quote ? SyntaxHint.QUOTES : SyntaxHint.ASCII).text());
         }
         case INVALID_NUMBER -> {
-          return Advice.of(
-              (text.matches("[0-9._]+(s|se|sec\\w*|m\\w+|h\\w+|d\\w+|u\\w*|n\\w*)")
-                      ? SyntaxHint.UNITS
-                      : SyntaxHint.LETTER_FIRST)
-                  .text());
+          return Advice.of(number(text).text());
         }
         case RESERVED_WORD -> {
           String meant = FOREIGN.get(text);
@@ -66,6 +77,15 @@ final class WordAdvice {
       }
     }
     return null;
+  }
+
+  private static SyntaxHint number(String text) {
+    if (text.matches("[0-9._]+(s|se|sec\\w*|m\\w+|h\\w+|d\\w+|u\\w*|n\\w*)")) {
+      return SyntaxHint.UNITS;
+    }
+    return text.matches("[0-9._]+[fFlL]|0[bo][0-9_]+")
+        ? SyntaxHint.NUMBERS
+        : SyntaxHint.LETTER_FIRST;
   }
 
   /** {@code functon f(x) …}, {@code elif}, {@code const x = 1}, {@code if (…) then …}. */
@@ -87,7 +107,7 @@ final class WordAdvice {
       if (word.equals("then") && around.is(index - 1, UrbiscriptLexer.RPAREN)) {
         return Advice.of(SyntaxHint.NO_THEN.text());
       }
-      String meant = begins || word.equals("is") || word.equals("until") ? FOREIGN.get(word) : null;
+      String meant = begins || WITHIN.contains(word) ? FOREIGN.get(word) : null;
       if (meant != null) {
         return Advice.of(SyntaxHint.NO_WORD.text(word, meant));
       }

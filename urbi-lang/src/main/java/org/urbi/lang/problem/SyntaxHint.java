@@ -23,6 +23,11 @@ public enum SyntaxHint {
   IF_FIRST("`if' stands before what it decides: if (…) x = 1 else x = 2"),
   CAUGHT("what is caught is declared by var: catch (var {name}) { … }"),
   NO_BREAK("a case ends where the next one begins: it needs no `break'"),
+  ASSERT_MESSAGE("an assertion with a message is System.assert_(x == 1, \"…\")"),
+  COMPREHENSION("a list of what a function makes of others is list.map(function (x) { … })"),
+  ARGUMENT_LIST("a list of arguments is given by apply: getSlot(\"{name}\").apply([this] + list)"),
+  METHOD("a function of a class is function {name}(…) { … }; new calls the one named init"),
+  ONLEAVE("what happens when it is over stands behind onleave: at (…) … onleave …"),
   INCLUDE("load(\"file.u\") runs another file"),
   COMMENT("a comment is // to the end of the line, or /* … */"),
   COMMENTED_OUT("`//' begins a comment, with the `;' that would end the statement"),
@@ -62,18 +67,26 @@ public enum SyntaxHint {
   CONCATENATION("strings are joined by `+'; a slot stands behind one dot"),
   UNIT_TOUCHES("a duration is one word: 500ms, 1.5s, 2min"),
   SLICE("a part of a string is text[0, 2], one of a list is list.range(0, 2)"),
+  ONLY_EVENTS("`?' stands behind an event, in at (…), whenever (…) and waituntil (…)"),
   NO_CHOICE("there is no `? :'; if (…) x = 1 else x = 2 chooses"),
   RANGE("there are no ranges with dots: for (var i : 3) counts 0, 1, 2"),
   COLON("a `:' starts no block; braces do"),
   QUOTES("strings stand between double quotes: \"…\""),
   ASCII("names consist of the letters a to z, digits and _"),
   UNITS("the units of durations are d, h, min, s, ms, us and ns"),
+  NUMBERS("numbers are written 12, 1.5, 1e-3 or 0xFF, with no letters behind them"),
   LETTER_FIRST("a name begins with a letter or _"),
 
   // ------------------------------------------------------------------ code that is valid
 
   COMPARISON("`=' gives a value, and the condition is that value; `==' compares"),
+  COMPOSED(
+      "`&' and `|' put statements together; conditions are joined by && and ||, bits by bitand"),
   ENDLESS("this does not end, and what is typed next waits for it: `,' at its end does not wait"),
+
+  SIGN(
+      "`=' and `{sign}' are two operators here, and give a value with a sign; `{sign}=' changes it"),
+  VALUE("`{word}' is a value of the language; here and from now on the name stands for another"),
 
   // ------------------------------------------------------------------ the places that are shown
 

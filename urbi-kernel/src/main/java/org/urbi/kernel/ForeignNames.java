@@ -1,0 +1,102 @@
+package org.urbi.kernel;
+
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** What other languages call what urbiscript has. */
+final class ForeignNames {
+  private static final Map<String, String> ANYWHERE =
+      Map.ofEntries(
+          Map.entry("printf", "echo(\"… %s\" % [value])"),
+          Map.entry("println", "echo(value)"),
+          Map.entry("puts", "echo(value)"),
+          Map.entry("console", "echo(value)"),
+          Map.entry("cout", "echo(value)"),
+          Map.entry("pop", "list.removeBack"),
+          Map.entry("pow", "base ** exponent"),
+          Map.entry("None", "nil"),
+          Map.entry("NULL", "nil"),
+          Map.entry("undefined", "nil"),
+          Map.entry("True", "true"),
+          Map.entry("False", "false"),
+          Map.entry("len", "list.size"),
+          Map.entry("length", "size"),
+          Map.entry("strlen", "text.size"),
+          Map.entry("append", "list << value"),
+          Map.entry("push", "list << value"),
+          Map.entry("push_back", "list << value"),
+          Map.entry("str", "asString"),
+          Map.entry("toString", "asString"),
+          Map.entry("to_s", "asString"),
+          Map.entry("parseInt", "asFloat"),
+          Map.entry("parseFloat", "asFloat"),
+          Map.entry("tonumber", "asFloat"),
+          Map.entry("require", "load(\"file.u\")"),
+          Map.entry("include", "load(\"file.u\")"),
+          Map.entry("wait", "sleep(1s)"),
+          Map.entry("setTimeout", "{ sleep(1s)| … },"),
+          Map.entry("setInterval", "every (1s) …,"),
+          Map.entry("Thread", "{ … }, beside what follows"),
+          Map.entry("threading", "{ … }, beside what follows"),
+          Map.entry("exit", "quit, shutdown"),
+          Map.entry("isinstance", "value.isA(Float)"),
+          Map.entry("super", "A.getSlot(\"init\").apply([this])"),
+          Map.entry("Error", "Exception.new(\"…\")"),
+          Map.entry("rospy", "loadModule(\"urbi/ros\")"),
+          Map.entry("rclpy", "loadModule(\"urbi/ros\")"),
+          Map.entry("pass", "{}"),
+          Map.entry("math", "Math"),
+          Map.entry("PI", "pi"),
+          Map.entry("range", "for (var i : 3), 3.seq"));
+
+  /** What is called so of these types only: elsewhere it may be anything. */
+  private static final Map<String, Map<String, String>> BY_TYPE =
+      Map.of(
+          "String",
+          Map.of(
+              "upper", "toUpper",
+              "toUpperCase", "toUpper",
+              "lower", "toLower",
+              "toLowerCase", "toLower",
+              "replaceAll", "replace",
+              "substring", "text[0, 2]",
+              "substr", "text[0, 2]",
+              "sub", "text[0, 2]"),
+          "List",
+          Map.of(
+              "add", "list << value",
+              "contains", "value in list",
+              "includes", "value in list",
+              "forEach", "each",
+              "reduce", "foldl",
+              "sorted", "sort",
+              "get", "list[index]"),
+          "Dictionary",
+          Map.of(
+              "contains", "key in dictionary",
+              "containsKey", "key in dictionary",
+              "has_key", "key in dictionary",
+              "items", "asList",
+              "pop", "erase",
+              "remove", "erase"),
+          "Event",
+          Map.of(
+              "on", "at (event?) …",
+              "addListener", "at (event?) …",
+              "connect", "at (event?) …"),
+          "Math",
+          Map.of("floor", "number.floor", "ceil", "number.ceil"));
+
+  private ForeignNames() {}
+
+  /**
+   * What urbiscript has instead of what is called so elsewhere, or null.
+   *
+   * @param type what was asked for it; empty if that is not known
+   */
+  static @Nullable String meant(String name, String type) {
+    Map<String, String> ofType = BY_TYPE.getOrDefault(type, Map.of());
+    String meant = ofType.get(name);
+    return meant == null ? ANYWHERE.get(name) : meant;
+  }
+}
