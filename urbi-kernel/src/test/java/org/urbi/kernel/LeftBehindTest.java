@@ -191,7 +191,8 @@ class LeftBehindTest {
             return null;
           });
       holding.connection().send("disown({ while| (true) {} }) | leaveNow | loop| {};\n");
-      assertEquals("1", observer.say("while (System.jobs.size != 1) sleep(2ms); System.jobs.size;"));
+      assertEquals(
+          "1", observer.say("while (System.jobs.size != 1) sleep(2ms); System.jobs.size;"));
     }
   }
 

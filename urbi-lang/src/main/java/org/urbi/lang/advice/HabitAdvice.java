@@ -124,6 +124,8 @@ final class HabitAdvice {
       }
       if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.FOR)) {
         return Advice.of(SyntaxHint.LOOP_PARTS.text());
+      } else if (isElement(around, before)) {
+        return Advice.of(SyntaxHint.LOOP.text());
       }
       return around.is(at, UrbiscriptLexer.WORD) && around.is(before, UrbiscriptLexer.CATCH)
           ? Advice.of(SyntaxHint.CAUGHT.text(around.text(at)))
@@ -140,6 +142,14 @@ final class HabitAdvice {
             && isNear(around.text(at), "onleave")
         ? Advice.of(SyntaxHint.MISSPELLED.text("onleave"))
         : null;
+  }
+
+  /** {@code for (x : list)}, {@code for (Item x : list)}, {@code for (x of list)}. */
+  private static boolean isElement(Surroundings around, int loop) {
+    boolean twoWords =
+        around.is(loop + 2, UrbiscriptLexer.WORD) && around.is(loop + 3, UrbiscriptLexer.WORD);
+    return around.is(loop, UrbiscriptLexer.FOR)
+        && (around.is(around.at(), UrbiscriptLexer.COLON) || twoWords);
   }
 
   private static boolean inSwitch(Surroundings around, @Nullable OpenBracket open) {

@@ -39,7 +39,7 @@ public enum SyntaxProblem {
 
   UNEXPECTED(ERROR, "unexpected {token}"),
   UNEXPECTED_INSTEAD(ERROR, "unexpected {token}, expecting {expected}"),
-  UNEXPECTED_END(ERROR, "unexpected end of file", "something that was opened is not closed"),
+  UNEXPECTED_END(ERROR, "unexpected end of file", "`;' is missing at the end of the statement"),
   NESTING_TOO_DEEP(ERROR, "nesting too deep"),
   STATEMENT_TOO_LONG(ERROR, "statement longer than {maximum} characters"),
   NOT_AN_LVALUE(ERROR, "{expression} is not a valid lvalue", "only slots can be assigned to"),

@@ -36,6 +36,9 @@ final class Help {
 
   private static final String FENCE = "```";
 
+  /** What a line of Markdown begins with that does not go on with the one before. */
+  private static final String BEGINNINGS = "|-*#";
+
   private final UrbiObject lobby;
   private final Topics topics;
   private final List<String> lines = new ArrayList<>();
@@ -91,7 +94,7 @@ final class Help {
           return lines;
         }
       }
-      lines.add(sentence(primitive));
+      wrapped(sentence(primitive));
     } else if (object instanceof Function function) {
       aboutFunction("function", function);
     } else {
@@ -148,7 +151,7 @@ final class Help {
     if (!keyword) {
       for (String name : part.names()) {
         if (prototype(type).localSlot(symbol(name)) instanceof Primitive primitive) {
-          lines.add(sentence(primitive));
+          wrapped(sentence(primitive));
         }
       }
       lines.add("");
@@ -158,7 +161,7 @@ final class Help {
   }
 
   private static String sentence(Primitive primitive) {
-    return Utf8Text.toUrbi(primitive.signature() + ": " + primitive.doc());
+    return primitive.signature() + ": " + primitive.doc();
   }
 
   /** A slot that several types have. */
@@ -290,13 +293,39 @@ final class Help {
 
   private void markdown(String text) {
     boolean code = false;
+    StringBuilder paragraph = new StringBuilder();
     for (String line : text.lines().toList()) {
-      if (line.startsWith(FENCE)) {
-        code = !code;
-      } else {
-        String shown = code ? "    " + line : LINK.matcher(line).replaceAll("$1");
-        lines.add(Utf8Text.toUrbi(shown));
+      boolean fence = line.startsWith(FENCE);
+      boolean prose = !code && !fence && !line.isBlank();
+      if (!paragraph.isEmpty() && (!prose || BEGINNINGS.indexOf(line.charAt(0)) >= 0)) {
+        wrapped(paragraph.toString());
+        paragraph.setLength(0);
       }
+      if (prose) {
+        paragraph
+            .append(paragraph.isEmpty() ? "" : " ")
+            .append(LINK.matcher(line).replaceAll("$1"));
+      } else if (!fence) {
+        lines.add(Utf8Text.toUrbi(code ? "    " + line : ""));
+      }
+      code ^= fence;
     }
+    if (!paragraph.isEmpty()) {
+      wrapped(paragraph.toString());
+    }
+  }
+
+  /** A paragraph in lines of a width that can be read. */
+  private void wrapped(String paragraph) {
+    int begin = 0;
+    while (paragraph.length() - begin > WIDTH) {
+      int space = paragraph.lastIndexOf(' ', begin + WIDTH);
+      if (space <= begin) {
+        break;
+      }
+      lines.add(Utf8Text.toUrbi(paragraph.substring(begin, space)));
+      begin = space + 1;
+    }
+    lines.add(Utf8Text.toUrbi(paragraph.substring(begin)));
   }
 }

@@ -38,13 +38,13 @@ class HelpTest {
     OUTPUT.clear();
     kernel.eval(code + "; echo(\"the end\"); 0");
     StringBuilder shown = new StringBuilder();
-    while (shown.indexOf("the end") < 0) {
+    while (shown.indexOf("*** the end") < 0) {
       shown.append(take());
     }
     return shown
         .toString()
         .lines()
-        .filter(line -> !line.contains("the end"))
+        .filter(line -> !line.endsWith("*** the end"))
         .map(line -> line.replaceFirst("^\\[\\d+] \\*\\*\\* ?", ""))
         .collect(Collectors.joining("\n"));
   }
@@ -65,6 +65,19 @@ class HelpTest {
     assertEquals(list, shown("help(List)"));
     assertEquals(list, shown("help(\"List\")"));
     assertEquals(list, shown("[1, 2].help"));
+  }
+
+  @Test
+  void proseFitsATerminalAndLosesNothing() {
+    String list = shown("List.help");
+    assertTrue(list.contains("Members may be of different\ntypes; indexes count"), list);
+    assertTrue(list.contains("negative ones from the end.\n\n"), list);
+    for (String topic : HelpTexts.types()) {
+      shown("help(\"" + topic + "\")")
+          .lines()
+          .filter(line -> !line.startsWith("    "))
+          .forEach(line -> assertTrue(line.length() <= 102, line));
+    }
   }
 
   @Test
