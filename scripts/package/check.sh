@@ -115,6 +115,10 @@ cp "$project/motor/build/motor.so" "$work/"
 sed -i 's/ == 2/ == 3/' "$project/thermo/src/test/urbi/thermo.u"
 if (cd "$project/thermo" && run_maven -o -q verify) >"$work/maven.log" 2>&1; then say "a test that fails passes"; exit 1; fi
 grep -q 'failed assertion' "$work/maven.log"
+# The example of embedding, as its page says: it prints what that page has below "It prints".
+out=$(cd "$project" && "$jdk/bin/java" -cp "$("$unpacked/urbi" --print-root)/dist/lib/*" --source 25 \
+  "$unpacked/examples/embedding/Embed.java" 2>&1)
+equal "$(sed -n '/^It prints$/,$s/^    //p' examples/embedding/README.md)" "$out" "the example of embedding"
 (export PKG_CONFIG_PATH="$unpacked/share/pkgconfig"
   # shellcheck disable=SC2046
   g++ $(pkg-config --cflags urbi) -shared -o "$work/point.so" "$top"/examples/uobjects-cpp/point.uob/*.cc $(pkg-config --libs urbi))

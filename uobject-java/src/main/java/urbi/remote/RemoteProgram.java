@@ -221,7 +221,7 @@ public final class RemoteProgram implements RemoteRunner {
 
     /** Runs modules until the connection ends, and tells why it did. */
     private String serve(List<UModule> loaded) {
-      try (RemoteContext context = new RemoteContext(host, port)) {
+      try (RemoteContext context = connect()) {
         context.onOutput(text -> err.write(text, 0, text.length));
         if (level > LOG) {
           context.trace(text -> err.println("urbi.UMain: " + text));
@@ -239,6 +239,19 @@ public final class RemoteProgram implements RemoteRunner {
         String why = context.onClosed().join();
         loaded.forEach(module -> module.leave(context));
         return why;
+      }
+    }
+
+    /** One that tries again and again does not say each time what can be done. */
+    private RemoteContext connect() {
+      try {
+        return new RemoteContext(host, port);
+      } catch (UClientException e) {
+        if (reconnect || !(e.getCause() instanceof IOException)) {
+          throw e;
+        }
+        throw new UClientException(
+            e.getMessage() + ServerConnection.whereNoneAnswers(host, port), e.getCause());
       }
     }
 

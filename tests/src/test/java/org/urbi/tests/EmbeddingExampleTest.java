@@ -32,7 +32,7 @@ class EmbeddingExampleTest {
     assertEquals(promised(), run());
   }
 
-  /** The indented block that follows the word "prints". */
+  /** The indented block that follows "It prints". */
   private static String promised() throws Exception {
     StringBuilder text = new StringBuilder();
     boolean found = false;
@@ -42,7 +42,7 @@ class EmbeddingExampleTest {
       } else if (!text.isEmpty()) {
         break;
       }
-      found |= line.equals("prints");
+      found |= line.equals("It prints");
     }
     return text.toString();
   }

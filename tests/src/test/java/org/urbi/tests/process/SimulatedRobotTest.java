@@ -426,6 +426,20 @@ class SimulatedRobotTest {
     }
   }
 
+  /** Half of the demo tells what is missing, and not what to do about ports. */
+  @Test
+  void whatTheDemoLacksIsNamed(@TempDir Path alone) throws Exception {
+    Path demo = Files.copy(ROOT.resolve(DEMO), alone.resolve("demo.u"));
+    List<String> words = List.of("-q", "--errors", "explained", demo.toString(), "0");
+    try (JavaProcess urbi = JavaProcess.start(root, URBI, words)) {
+      urbi.awaitText("load: file not found: tracking.u");
+      urbi.awaitText("`simulation' may come from what was not loaded at " + demo + ":6.1-18");
+      urbi.send("shutdown;\n");
+      urbi.awaitEnd();
+      assertTrue(!urbi.text().contains("goes on without the studio"), urbi::text);
+    }
+  }
+
   /** The same devices, in a process of their own: nothing but the clock differs. */
   @Test
   void devicesRunInAProcessOfTheirOwn() throws Exception {

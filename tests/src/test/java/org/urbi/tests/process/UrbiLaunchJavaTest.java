@@ -286,6 +286,7 @@ class UrbiLaunchJavaTest {
     copy("machine");
     int port = FreePorts.next();
     failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "machine");
+    failsToLaunch("? urbi --port " + port + " starts one", "-P" + port, "machine");
     failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "--plugin", "machine");
     failsToLaunch("is the server running?", "--port-file", "no-port", "machine");
   }

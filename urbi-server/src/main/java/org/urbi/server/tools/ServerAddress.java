@@ -199,9 +199,7 @@ public final class ServerAddress {
           + portFile
           + ", which one that was killed leaves behind)";
     }
-    return " (is a server running there? urbi "
-        + (ServerConnection.isFile(host) ? "--socket " + host : "--port " + port)
-        + " starts one)";
+    return ServerConnection.whereNoneAnswers(host, port);
   }
 
   @Override

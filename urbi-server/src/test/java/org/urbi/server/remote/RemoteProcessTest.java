@@ -249,9 +249,14 @@ class RemoteProcessTest {
     jar();
     kernel.close();
     server.close();
+    String port = String.valueOf(server.port());
     await(
-        umain("adder.jar", "--port", String.valueOf(server.port())),
-        "urbi.UMain: cannot connect to 127.0.0.1:");
+        umain("adder.jar", "--port", port),
+        "urbi.UMain: cannot connect to 127.0.0.1:"
+            + port
+            + ": Connection refused (is a server running there? urbi --port "
+            + port
+            + " starts one)");
     Files.writeString(folder.resolve("broken.jar"), "nothing");
     Process broken = umain("broken.jar");
     await(broken, "urbi.UMain: ");
