@@ -412,6 +412,16 @@ public final class Frame implements Place {
     return new UrbiException.Call(from.calledName(), from.calledSpan());
   }
 
+  /** Places an exception where the running function was called, as one of that function itself. */
+  public UrbiException locatedAtCall(UrbiException exception) {
+    Frame first = activation;
+    if (first.site != null) {
+      exception.locate(
+          first.site.calledSpan(), first.caller == null ? List.of() : first.caller.backtrace());
+    }
+    return exception;
+  }
+
   /** Adds to an exception where it was thrown, if that is not known yet. */
   public UrbiException located(UrbiException exception, Span span) {
     if (!exception.isLocated()) {

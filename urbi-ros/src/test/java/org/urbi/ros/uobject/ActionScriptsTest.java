@@ -133,7 +133,9 @@ class ActionScriptsTest extends ScriptsFixture {
       here.refused("fib.patience = 200ms| fib.run([\"order\" => 1]);", "has gone");
       here.refused("Ros.Action.new(\"/none\");", "there is no action /none: Ros.actions has all");
       here.refused("fib.patience = 0| fib.run([\"order\" => 1]);", "patience: seconds");
-      here.refused("Ros.offerAction(\"/x\", \"test_msgs/None\", nil);", "there is no type");
+      here.refused(
+          "Ros.offerAction(\"/x\", \"test_msgs/None\", closure (var goal) {});",
+          "there is no type");
     }
   }
 }

@@ -106,6 +106,22 @@ final class SystemType {
     }
   }
 
+  @Builtin(
+      doc =
+          "Refuses an argument of the function that asks, unless it is of that type: an error where"
+              + " the function was called.")
+  static void expectArgument(
+      Frame frame, CallSite site, UrbiObject self, int index, UrbiObject value, UrbiObject type) {
+    if (!value.isA(type)) {
+      String called = frame.calledAs();
+      throw frame.locatedAtCall(
+          frame
+              .interpreter()
+              .errors()
+              .argumentType(called == null ? site.calledName() : called, index, value, type));
+    }
+  }
+
   @Builtin(doc = "Whether assertions are not checked.")
   static boolean ndebug(Frame frame, UrbiObject self) {
     return frame.interpreter().assertionsDisabled();
