@@ -53,15 +53,22 @@ final class ForeignNames {
   private static final Map<String, Map<String, String>> BY_TYPE =
       Map.of(
           "String",
-          Map.of(
-              "upper", "toUpper",
-              "toUpperCase", "toUpper",
-              "lower", "toLower",
-              "toLowerCase", "toLower",
-              "replaceAll", "replace",
-              "substring", "text[0, 2]",
-              "substr", "text[0, 2]",
-              "sub", "text[0, 2]"),
+          Map.ofEntries(
+              Map.entry("upper", "toUpper"),
+              Map.entry("toUpperCase", "toUpper"),
+              Map.entry("lower", "toLower"),
+              Map.entry("toLowerCase", "toLower"),
+              Map.entry("replaceAll", "replace"),
+              Map.entry("substring", "text[0, 2]"),
+              Map.entry("substr", "text[0, 2]"),
+              Map.entry("sub", "text[0, 2]"),
+              Map.entry("startswith", "text[0, 2] == \"ab\""),
+              Map.entry("startsWith", "text[0, 2] == \"ab\""),
+              Map.entry("strip", "text.split.join(\" \")"),
+              Map.entry("trim", "text.split.join(\" \")"),
+              Map.entry("find", "Regexp.new(\"b\").match(text)"),
+              Map.entry("contains", "Regexp.new(\"b\").match(text)"),
+              Map.entry("includes", "Regexp.new(\"b\").match(text)")),
           "List",
           Map.of(
               "add", "list << value",
