@@ -129,7 +129,7 @@ public final class TagScope {
   }
 
   /**
-   * Declares that no more jobs will be started under a scope created by {@link Job#branch} from
+   * Declares that no more jobs will be started under a scope created by {@link #branch} from
    * outside of it.
    */
   public void end() {

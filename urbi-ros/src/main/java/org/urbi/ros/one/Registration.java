@@ -2,17 +2,16 @@ package org.urbi.ros.one;
 
 import java.util.concurrent.CompletableFuture;
 
-/**
- * Something that the master is to know of: it is told again whenever there is another master.
- *
- * @param key what it is, among all of this node
- */
+/** Something that the master is to know of: it is told again whenever there is another master. */
 abstract class Registration {
   private final String key;
 
   /** Whether this master knows of it; used by the thread of {@link MasterWatch} only. */
   private boolean known;
 
+  /**
+   * @param key what it is, among all of this node
+   */
   Registration(String key) {
     this.key = key;
   }
