@@ -80,7 +80,9 @@ class EventsTest {
   void onThreads() {
     assertEquals(
         List.of("true"),
-        answers("Listener.later!(3)| sleep(100ms)|; Listener.said() == \"later3 \";"));
+        answers(
+            "Listener.later!(3)| while (Listener.said() == \"\") sleep(1ms)|;"
+                + " Listener.said() == \"later3 \";"));
   }
 
   @Test
