@@ -84,6 +84,7 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
         .thenAccept(known -> {
           node = known;
           topic = known.resolve(name);
+          type = null;
         });
   }
 
@@ -169,13 +170,10 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
     return topic;
   }
 
-  /** A new message of the type of the topic. */
-  public UDictionary structure() {
+  /** A new message of the type of the topic; void until that is subscribed or advertised. */
+  public UValue structure() {
     MessageType known = type;
-    if (known == null) {
-      throw new RosException("the type is known when " + topic + " is subscribed or advertised");
-    }
-    return Templates.of(known);
+    return known == null ? new UValue() : new UValue(Templates.of(known));
   }
 
   /** How many subscribe to the topic. */

@@ -165,6 +165,7 @@ class ManualTest {
     echoed();
     kernel.eval("chatter.unsubscribe; chatter.init(\"/other\");");
     assertEquals("/other", text("chatter.name"));
+    assertTrue(holds("chatter.structure.isVoid"));
     refused("chatter.subscribe;", "there is no topic /other");
   }
 
@@ -242,6 +243,7 @@ class ManualTest {
           echo(name[0,5] + " is now listening on " + publisher.name);
         at (publisher.onDisconnect?(var name))
           echo(name[0,5] + " is no longer listening on " + publisher.name);
+        assert(publisher.structure.isVoid);
         publisher.advertise("std_msgs/String");
         var Global.subscriber = Ros.Topic.new("/example")|
         at (subscriber.onMessage?(var m))
