@@ -3,6 +3,7 @@ package org.urbi.ros.uobject;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Node;
@@ -20,6 +21,13 @@ final class FirstUse implements AutoCloseable {
 
   private final Executor threads;
   private @Nullable CompletableFuture<Node> node;
+
+  /** Those of the node that there is, or soon will be. */
+  private @Nullable NodeSettings settings;
+
+  /** Whether somebody has asked for the node: then it remains what it is. */
+  private boolean used;
+
   private boolean closed;
 
   FirstUse() {
@@ -34,35 +42,68 @@ final class FirstUse implements AutoCloseable {
     this.threads = threads;
   }
 
-  /** Whether there is a node, or soon will be. */
-  synchronized boolean hasBegun() {
-    return node != null;
+  /** What the node was made with that somebody uses; null as long as nobody has asked for it. */
+  synchronized @Nullable NodeSettings used() {
+    return used ? settings : null;
   }
 
   /**
    * The node; does not wait. Fails with a {@link RosException} if it cannot be made, or is closed.
    *
-   * @param maker makes it, unless there is one
+   * @param wanted what it is made with, unless there is one that somebody uses
+   * @param maker makes it
    */
-  CompletionStage<Node> node(Supplier<Node> maker) {
+  CompletionStage<Node> node(NodeSettings wanted, Function<NodeSettings, Node> maker) {
+    return node(wanted, maker, true);
+  }
+
+  /**
+   * Makes the node before anybody uses it. If other settings are chosen until then, it makes room
+   * for another one.
+   */
+  CompletionStage<Node> ahead(NodeSettings wanted, Function<NodeSettings, Node> maker) {
+    return node(wanted, maker, false);
+  }
+
+  private CompletionStage<Node> node(
+      NodeSettings wanted, Function<NodeSettings, Node> maker, boolean uses) {
     CompletableFuture<Node> promise;
+    CompletableFuture<Node> before;
     synchronized (this) {
       if (closed) {
         return CompletableFuture.failedFuture(new RosException(CLOSED));
       }
-      if (node != null) {
-        return node;
+      before = node;
+      if (before != null && (used || !uses || wanted.equals(settings))) {
+        used |= uses;
+        return before;
       }
       promise = new CompletableFuture<>();
       node = promise;
+      settings = wanted;
+      used = uses;
     }
     try {
-      threads.execute(() -> make(maker, promise));
+      threads.execute(() -> {
+        makeRoom(before);
+        make(() -> maker.apply(wanted), promise);
+      });
     } catch (RuntimeException | Error e) {
       // No thread is left.
+      makeRoom(before);
       failed(promise, e);
     }
     return promise;
+  }
+
+  private static void makeRoom(@Nullable CompletableFuture<Node> before) {
+    if (before != null) {
+      before.whenComplete((made, failure) -> {
+        if (made != null) {
+          made.close();
+        }
+      });
+    }
   }
 
   private void make(Supplier<Node> maker, CompletableFuture<Node> promise) {
@@ -84,7 +125,10 @@ final class FirstUse implements AutoCloseable {
 
   private void failed(CompletableFuture<Node> promise, Throwable reason) {
     synchronized (this) {
-      node = null;
+      if (node == promise) {
+        node = null;
+        used = false;
+      }
     }
     promise.completeExceptionally(
         reason instanceof RosException

@@ -76,6 +76,9 @@ public final class Ros extends UObject implements AutoCloseable {
     version.setValue(dialect.version());
     packagePath.setValue(environment.getOrDefault(NodeSettings.packages(dialect), ""));
     UNotifyChange(version, "choose");
+    for (UVar each : List.of(nodeName, masterUri, domain, packagePath)) {
+      UNotifyChange(each, "keep");
+    }
     UBindEvent(onNode, "onNode");
     UBindEvent(onNodeGone, "onNodeGone");
     UBindEvent(onTopic, "onTopic");
@@ -104,6 +107,8 @@ public final class Ros extends UObject implements AutoCloseable {
         "paramsOf");
     // Whoever waits for one of the events has it called: ros.u sees to that.
     bind("__watch", this::watch);
+    // The server calls it that loads the module by itself.
+    bind("__ahead", this::ahead);
     bind(MessageReceiver.TAKE, this::take);
     // ros.u has the usual time and patience.
     bind("__lookup", this::lookup);
@@ -130,7 +135,7 @@ public final class Ros extends UObject implements AutoCloseable {
       if (wanted == dialect) {
         return;
       }
-      if (node.hasBegun()) {
+      if (node.used() != null) {
         throw new RosException("the version is chosen before Ros is used");
       }
       dialect = wanted;
@@ -149,16 +154,44 @@ public final class Ros extends UObject implements AutoCloseable {
   }
 
   private CompletionStage<Node> node() {
-    NodeSettings settings =
-        new NodeSettings(
-            dialect,
-            nodeName.stringValue(),
-            masterUri.stringValue(),
-            domain.stringValue(),
-            packagePath.stringValue(),
-            Map.copyOf(remappings),
-            environment);
-    return node.node(() -> begin(settings));
+    return node.node(settings(), this::begin);
+  }
+
+  /**
+   * Makes the node before anybody asks for it, so that others see it, and people are told whether
+   * there is a master. What is set until somebody does still counts.
+   */
+  public CompletionStage<Void> ahead() {
+    return node.ahead(settings(), this::begin).thenAccept(made -> {});
+  }
+
+  private synchronized NodeSettings settings() {
+    return new NodeSettings(
+        dialect,
+        nodeName.stringValue(),
+        masterUri.stringValue(),
+        domain.stringValue(),
+        packagePath.stringValue(),
+        Map.copyOf(remappings),
+        environment);
+  }
+
+  /** What was set of a node that somebody uses already is told, and taken back. */
+  public void keep() {
+    NodeSettings used = node.used();
+    if (used != null) {
+      restore("nodeName", nodeName, used.name());
+      restore("masterUri", masterUri, used.masterUri());
+      restore("domain", domain, used.domain());
+      restore("packagePath", packagePath, used.packagePath());
+    }
+  }
+
+  private void restore(String name, UVar setting, String chosen) {
+    if (!setting.stringValue().equals(chosen)) {
+      told(name + " is chosen before Ros is used");
+      setting.setValue(chosen);
+    }
   }
 
   private Node begin(NodeSettings settings) {
@@ -284,7 +317,7 @@ public final class Ros extends UObject implements AutoCloseable {
 
   /** Has a name mean another one; before the node is used. */
   public synchronized void remap(String from, String to) {
-    if (node.hasBegun()) {
+    if (node.used() != null) {
       throw new RosException("names are remapped before Ros is used");
     }
     remappings.put(from, to);

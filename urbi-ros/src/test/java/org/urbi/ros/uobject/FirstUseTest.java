@@ -2,16 +2,19 @@ package org.urbi.ros.uobject;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,6 +28,7 @@ import org.urbi.kernel.embed.UrbiError;
 import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
+import org.urbi.ros.message.Dialect;
 import org.urbi.ros.rtps.Neighbourhood;
 import urbi.UClass;
 import urbi.UModule;
@@ -71,6 +75,11 @@ class FirstUseTest {
       () -> {
         throw new AssertionError("the one that was asked for");
       };
+
+  private static final NodeSettings SETTINGS =
+      new NodeSettings(Dialect.ROS_2, "", "", "0", "", Map.of(), Map.of());
+
+  private static final Function<NodeSettings, Node> MAKER = settings -> USUAL.get();
 
   private static Supplier<Node> failing(RuntimeException failure) {
     return () -> {
@@ -176,8 +185,54 @@ class FirstUseTest {
     String refused =
         assertThrows(UrbiError.class, () -> kernel.eval("Ros.remap(\"/a\", \"/b\");")).getMessage();
     assertTrue(refused.contains("names are remapped before Ros is used"), refused);
+    kernel.eval("Ros.nodeName = \"late\"; Ros.packagePath = \"/elsewhere\";");
+    kernel.eval("Ros.domain = %d;".formatted(domain.domain() + 1));
+    assertTrue(kernel.eval("Ros.nodeName == \"\" && Ros.packagePath == \"\"", boolean.class));
+    assertEquals(domain.domain(), kernel.eval("Ros.domain.asFloat", int.class));
     ends.add(USUAL);
     Awaited.value(name);
+  }
+
+  @Test
+  void whatIsChosenCountsUntilSomebodyUsesTheNode() throws Exception {
+    CompletableFuture<Object> ahead = kernel.evalAsync("Ros.__ahead;");
+    Awaited.next(begun);
+    ends.add(USUAL);
+    Awaited.value(ahead);
+    Node first = Awaited.next(made);
+    kernel.eval("Ros.nodeName = \"robot\"; Ros.remap(\"/a\", \"/b\");");
+    CompletableFuture<Object> topic = kernel.evalAsync("Ros.Topic.new(\"/a\").name;");
+    assertEquals("robot", Awaited.next(begun).name());
+    ends.add(USUAL);
+    assertEquals("/b", Awaited.value(topic));
+    Awaited.until("the first node ends", () -> !first.reachable().join());
+    assertEquals("/robot", kernel.eval("Ros.name"));
+  }
+
+  @Test
+  void whatIsChosenWhileTheNodeIsMadeCounts() throws Exception {
+    CompletableFuture<Object> ahead = kernel.evalAsync("Ros.__ahead;");
+    Awaited.next(begun);
+    kernel.eval("Ros.nodeName = \"robot\";");
+    CompletableFuture<Object> name = kernel.evalAsync("Ros.name;");
+    assertEquals("robot", Awaited.next(begun).name());
+    ends.add(USUAL);
+    ends.add(USUAL);
+    assertEquals("/robot", Awaited.value(name));
+    Awaited.value(ahead);
+    List<Node> both = List.of(Awaited.next(made), Awaited.next(made));
+    Awaited.until(
+        "one of them ends",
+        () -> both.stream().filter(each -> each.reachable().join()).count() == 1);
+  }
+
+  @Test
+  void aNodeThatWasMadeAheadIsUsed() throws Exception {
+    CompletableFuture<Object> ahead = kernel.evalAsync("Ros.__ahead;");
+    ends.add(USUAL);
+    Awaited.value(ahead);
+    kernel.eval("Ros.name; Ros.__ahead;");
+    assertEquals(1, begun.size());
   }
 
   @Test
@@ -262,13 +317,13 @@ class FirstUseTest {
           throw new OutOfMemoryError("unable to create native thread");
         });
     for (int i = 0; i < 2; i++) {
-      CompletableFuture<Node> none = use.node(USUAL).toCompletableFuture();
+      CompletableFuture<Node> none = use.node(SETTINGS, MAKER).toCompletableFuture();
       assertTrue(none.isCompletedExceptionally());
       assertInstanceOfRos(none);
-      assertFalse(use.hasBegun());
+      assertNull(use.used());
     }
     use.close();
-    assertInstanceOfRos(use.node(USUAL).toCompletableFuture());
+    assertInstanceOfRos(use.node(SETTINGS, MAKER).toCompletableFuture());
   }
 
   private static void assertInstanceOfRos(CompletableFuture<Node> failed) {

@@ -47,8 +47,9 @@ final class StartFiles {
   void loadRos(Kernel kernel, PrintStream err, Map<String, String> environment) {
     boolean named = ROS.stream().anyMatch(name -> !environment.getOrDefault(name, "").isEmpty());
     if (named) {
-      // Once its node is asked for, it says when there is no master; nobody waits for that.
-      load(kernel, err, "urbi/ros.u", "requireFile(\"urbi/ros.u\"); detach(Ros.name)|;\n");
+      // Its node says when there is no master; nobody waits for that. What scripts choose for it
+      // before they use it still counts.
+      load(kernel, err, "urbi/ros.u", "requireFile(\"urbi/ros.u\"); detach(Ros.__ahead)|;\n");
     }
   }
 
