@@ -38,6 +38,8 @@ public final class SuspectCode {
           if (each instanceof Ast.Assignment assignment) {
             sign(assignment, found);
             value(assignment, found);
+          } else if (each instanceof Ast.Declaration declaration) {
+            value(declaration, found);
           }
         });
     return found;
@@ -93,6 +95,13 @@ public final class SuspectCode {
         && name.arguments() == null
         && VALUES.contains(name.name())) {
       found.add(new Note(name.span(), SyntaxHint.VALUE.text(name.name())));
+    }
+  }
+
+  /** {@code var true = 1}, but not {@code var o.true}, which is found only by that object. */
+  private static void value(Ast.Declaration declaration, List<Note> found) {
+    if (declaration.target() == null && VALUES.contains(declaration.name())) {
+      found.add(new Note(declaration.nameSpan(), SyntaxHint.VALUE.text(declaration.name())));
     }
   }
 
