@@ -38,11 +38,15 @@ final class TickLoopThread implements JobThread, Executor {
   private TickLoopThread(Factory factory, Job job) {
     this.factory = factory;
     this.job = job;
+    thread = newVirtual(this, job);
+  }
+
+  private static Thread newVirtual(Executor scheduler, Runnable body) {
     try {
       Thread.Builder.OfVirtual builder =
           (Thread.Builder.OfVirtual)
-              requireNonNull(NEW_BUILDER, "the factory has looked").invokeExact((Executor) this);
-      thread = builder.unstarted(job);
+              requireNonNull(NEW_BUILDER, "the factory has looked").invokeExact(scheduler);
+      return builder.unstarted(body);
     } catch (RuntimeException | Error e) {
       throw e;
     } catch (Throwable e) {
@@ -177,6 +181,16 @@ final class TickLoopThread implements JobThread, Executor {
     }
 
     /**
+     * Loads what the end of a virtual thread uses, by ending one. If a thousand jobs fall asleep
+     * before any has ended, the JVM compiles what they do without its end, which it does not know
+     * yet, and has to give up that code for each of them when it has slept. To be called on the
+     * loop's thread: whoever starts a kernel may be a virtual thread, on which no other can run.
+     */
+    private static void loadWhatEnds() {
+      newVirtual(Runnable::run, () -> {}).start();
+    }
+
+    /**
      * Loads what {@link #wake} uses. The JDK calls it on its only thread for those that have waited
      * for a lock. Loading a class waits for locks, too: behind a job that is to be woken, for ever.
      */
@@ -195,7 +209,13 @@ final class TickLoopThread implements JobThread, Executor {
 
     @Override
     public Thread startLoop(Runnable body) {
-      Thread thread = newThread(body, "urbi-kernel");
+      Thread thread =
+          newThread(
+              () -> {
+                loadWhatEnds();
+                body.run();
+              },
+              "urbi-kernel");
       loop = thread;
       thread.start();
       return thread;

@@ -166,6 +166,20 @@ class JobThreadsTest {
     assertEquals(List.of("done"), loop.run());
   }
 
+  @Test
+  void aVirtualThreadMayStartTheLoop() throws InterruptedException {
+    Loop[] made = new Loop[1];
+    Thread starter =
+        Thread.startVirtualThread(() -> {
+          Loop loop = new Loop(JobThreads.TICK_LOOP);
+          loop.start(job -> loop.say("ran"));
+          loop.run();
+          made[0] = loop;
+        });
+    starter.join();
+    assertEquals(List.of("ran"), made[0].said);
+  }
+
   /** Nobody else may have the kernel meanwhile. */
   @Test
   void whoIsPinnedKeepsTheKernelWhileItWaits() {
