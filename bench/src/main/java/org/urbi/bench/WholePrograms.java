@@ -30,7 +30,7 @@ public final class WholePrograms {
 
   /** What is measured besides programs. */
   private static final List<String> OTHERS =
-      List.of("sleepers", "startup", "fresh", "lateness", "growth");
+      List.of("sleepers", "wake-ups", "startup", "fresh", "lateness", "growth");
 
   private final Installation machine = new Installation();
   private final PrintStream progress = System.err;
@@ -108,6 +108,10 @@ public final class WholePrograms {
     if (wanted("sleepers")) {
       progress.println("sleepers ...");
       constructs.addAll(new SleepingJobs(machine).run(""));
+    }
+    if (wanted("wake-ups")) {
+      progress.println("wake-ups ...");
+      constructs.addAll(new WakeUps(machine).run());
     }
     if (wanted("startup")) {
       constructs.addAll(new Startup(machine, progress).run(quick ? 5 : STARTUP_RUNS));
