@@ -10,9 +10,12 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 
 /** How late the periods of a loop of 10 ms begin, and how long a loop is kept waiting. */
-final class Lateness {
+public final class Lateness {
   private static final String NAME = "lateness";
-  private static final long PERIOD = 10_000_000;
+
+  /** Of the loop, in nanoseconds. */
+  public static final long PERIOD = 10_000_000;
+
   private static final List<Integer> SLEEPERS = List.of(0, 10_000, 1_000_000);
   private static final Target NONE = new Target.None();
 
@@ -94,8 +97,10 @@ final class Lateness {
   /**
    * How much later than its deadline each period began, sorted. The deadlines are a fixed grid;
    * where it lies is told by the periods that began earliest.
+   *
+   * @param moments when they began, one after the other, in nanoseconds since any moment
    */
-  static double[] late(java.util.stream.DoubleStream moments) {
+  public static double[] late(java.util.stream.DoubleStream moments) {
     double[] late = moments.toArray();
     for (int i = 0; i < late.length; i++) {
       late[i] -= (double) i * PERIOD;
@@ -105,7 +110,7 @@ final class Lateness {
   }
 
   /** The value that so large a share of them does not exceed. */
-  static double at(double[] sorted, double share) {
+  public static double at(double[] sorted, double share) {
     return sorted[
         (int) Math.min(sorted.length - 1L, Math.round(Math.ceil(share * sorted.length)) - 1)];
   }

@@ -18,8 +18,10 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.urbi.bench.Lateness;
 import org.urbi.bench.Load;
 
 /**
@@ -104,7 +106,7 @@ public final class StudioBenchmark {
     double mostly() {
       double[] sorted = late.clone();
       Arrays.sort(sorted);
-      return sorted[(int) (0.999 * sorted.length)];
+      return Lateness.at(sorted, 0.999);
     }
 
     double worst() {
@@ -237,10 +239,9 @@ public final class StudioBenchmark {
     result.processor.add(server.processorTime().minus(before).toNanos() / 1e7 / SECONDS);
     result.kilobytes.add((page.bytes.get() - bytes) / 1000.0 / SECONDS);
     result.views.add((double) (page.views.get() - views) / SECONDS);
-    double[] late = server.end();
     // The first ones are those while it settles.
-    int settled = Math.min((int) (SETTLING.toMillis() / StudioProbe.PERIOD), late.length);
-    result.add(Arrays.copyOfRange(late, settled, late.length));
+    DoubleStream begun = Arrays.stream(server.end()).skip(SETTLING.toNanos() / Lateness.PERIOD);
+    result.add(Arrays.stream(Lateness.late(begun)).map(each -> each / MILLISECOND).toArray());
     if (socket != null && room == Room.DEAF) {
       result.views.set(result.views.size() - 1, (double) page.readAgain(socket));
     }

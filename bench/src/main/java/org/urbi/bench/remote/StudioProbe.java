@@ -8,19 +8,18 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * A server with 10,000 jobs, 1,000 reactions, 1,000 slots and, when it is asked for, a loop with a
- * period of 10 ms that notes how late it is.
+ * period of 10 ms that notes when each turn begins.
  */
 final class StudioProbe implements AutoCloseable {
-  /** The period of the loop, in milliseconds. */
-  static final int PERIOD = 10;
+  private static final String BEGUN = "begun: ";
 
   private static final String PROGRAM =
-      "var Global.late = []|; var Global.begin = System.time|; var Global.turn = 0|;"
+      "var Global.begun = []|; var Global.begin = System.time|; var Global.turn = 0|;"
           + "many: for& (10000) sleep(1h),"
           + "var Global.never = 0|; for (1000) at (never == 1) 1;"
           + "var Global.o = Object.new|; for (var i : 1000) o.setSlot(\"x\" + i, i);"
@@ -28,10 +27,13 @@ final class StudioProbe implements AutoCloseable {
           + "probe: {}; echo(\"ready\");";
 
   private static final String BEGIN =
-      "late = [] | begin = System.time | turn = 0 |"
-          + "probe: every| (10ms) { late << (System.time - begin - 0.01 * turn) | turn++ },";
+      "begun = [] | begin = System.time | turn = 0 |"
+          + "probe: every| (10ms) { begun << (System.time - begin) | turn++ },";
 
-  private static final String END = "probe.stop; echo(\"late \" + late);";
+  private static final String END =
+      "probe.stop; echo(\""
+          + BEGUN
+          + "\" + begun.map(function (moment) { \"%.9f\" % moment }).join(\" \"));";
 
   private final Process server;
   private final BufferedReader said;
@@ -66,12 +68,12 @@ final class StudioProbe implements AutoCloseable {
     input.println(BEGIN);
   }
 
-  /** How late each period was since the beginning, in milliseconds. */
+  /** When each period since the beginning began, in nanoseconds. */
   double[] end() throws IOException {
     input.println(END);
-    String list = await("late [").replaceFirst(".*\\[", "").replace("]", "");
-    return Arrays.stream(list.split(", "))
-        .mapToDouble(each -> 1000 * Double.parseDouble(each))
+    String moments = await(BEGUN).replaceFirst(".*" + BEGUN, "");
+    return Stream.of(moments.split(" "))
+        .mapToDouble(each -> 1e9 * Double.parseDouble(each))
         .toArray();
   }
 
