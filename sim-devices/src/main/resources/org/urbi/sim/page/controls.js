@@ -91,10 +91,12 @@ export class Controls {
 
   #addDriving() {
     addEventListener("keydown", (event) => {
-      if (!DRIVE_KEYS[event.key] || event.ctrlKey || event.metaKey || event.altKey || typing(event)) return;
-      this.#hold(event.key, DRIVE_KEYS[event.key]);
+      const letter = event.key.toLowerCase();
+      if (!DRIVE_KEYS[letter] || event.ctrlKey || event.metaKey || event.altKey || typing(event)) return;
+      this.#hold(letter, DRIVE_KEYS[letter]);
     });
-    addEventListener("keyup", ({ key }) => this.#release(key));
+    // Who has pressed Shift or Caps Lock meanwhile lets a capital letter go.
+    addEventListener("keyup", ({ key }) => this.#release(key.toLowerCase()));
     for (const button of this.#byId("driving").querySelectorAll("button")) {
       const way = button.dataset.drive.split(" ").map(Number);
       button.addEventListener("pointerdown", () => this.#hold(button, way));

@@ -59,6 +59,15 @@ final class Accessibility {
 
   /** Nothing may be wrong, in light and in dark colours. */
   static void check(Browser browser) throws IOException {
-    assertEquals("", browser.evaluate(FAULTS));
+    check(browser, "window.document");
+  }
+
+  /**
+   * Likewise for a page within the page.
+   *
+   * @param document JavaScript: the document of it
+   */
+  static void check(Browser browser, String document) throws IOException {
+    assertEquals("", browser.evaluate("const document = " + document + ";\n" + FAULTS));
   }
 }

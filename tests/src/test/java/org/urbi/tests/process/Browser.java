@@ -236,6 +236,16 @@ final class Browser {
             .formatted(value, value));
   }
 
+  /** Presses a key and keeps it, by the name that a page is told. */
+  void hold(String key) throws IOException {
+    command("Input.dispatchKeyEvent", "\"type\":\"keyDown\",\"key\":\"" + key + "\"");
+  }
+
+  /** Lets a key go, under the name that it has by then: with Shift it is another one. */
+  void letGo(String key) throws IOException {
+    command("Input.dispatchKeyEvent", "\"type\":\"keyUp\",\"key\":\"" + key + "\"");
+  }
+
   /** Clicks, with a pointer as people have it, at a place of the window in pixels. */
   void click(int x, int y) throws IOException {
     demand(

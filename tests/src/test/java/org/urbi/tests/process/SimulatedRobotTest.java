@@ -3,14 +3,12 @@ package org.urbi.tests.process;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.urbi.tests.process.SimulatedRobot.awaitTruth;
 
-import java.io.ByteArrayOutputStream;
-import java.io.PrintStream;
 import java.net.ServerSocket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,14 +17,12 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.server.make.UmakeJava;
 import org.urbi.tests.FreePorts;
 import org.urbi.tests.TestTimeout;
 import org.urbi.tests.process.JavaProcess.Setting;
 
 /** The simulated robot as its user meets it: real processes, real time, a real browser. */
 class SimulatedRobotTest {
-  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   private static final String URBI = "org.urbi.server.cli.UrbiCommand";
   private static final String LAUNCH = "org.urbi.server.launch.UrbiLaunchJava";
   private static final String DEMO = "examples/ball-tracking/demo.u";
@@ -38,14 +34,7 @@ class SimulatedRobotTest {
 
   @BeforeAll
   static void makeModule() {
-    Path classes = ROOT.resolve(Path.of("sim-devices", "target", "classes"));
-    assertTrue(Files.isDirectory(classes), classes + " is built before");
-    ByteArrayOutputStream output = new ByteArrayOutputStream();
-    PrintStream printer = new PrintStream(output, true, StandardCharsets.UTF_8);
-    String[] words = {"-q", classes.toString(), "-o", built.resolve("sim.jar").toString()};
-    int status = UmakeJava.run(words, printer, printer);
-    assertEquals("0 ", status + " " + output.toString(StandardCharsets.UTF_8));
-    root = Setting.in(ROOT).with("URBI_UOBJECT_PATH", built.toString());
+    root = SimulatedRobot.setting(built);
   }
 
   /** How many different colours a canvas shows. */
@@ -282,12 +271,6 @@ class SimulatedRobotTest {
             .formatted(what, key));
   }
 
-  /** Waits until a condition holds in the simulation, which tells of nothing by itself. */
-  private static void awaitTruth(JavaProcess urbi, String mark, String condition) throws Exception {
-    urbi.send("{ while (!(" + condition + ")) sleep(20ms); echo(\"" + mark + "\") },\n");
-    urbi.awaitLine(said -> said.endsWith("*** " + mark));
-  }
-
   private static void timeIsHaltedAndStepped(Browser browser, JavaProcess urbi) throws Exception {
     press(browser, "#pause");
     browser.await(
@@ -429,7 +412,7 @@ class SimulatedRobotTest {
   /** Half of the demo tells what is missing, and not what to do about ports. */
   @Test
   void whatTheDemoLacksIsNamed(@TempDir Path alone) throws Exception {
-    Path demo = Files.copy(ROOT.resolve(DEMO), alone.resolve("demo.u"));
+    Path demo = Files.copy(SimulatedRobot.ROOT.resolve(DEMO), alone.resolve("demo.u"));
     List<String> words = List.of("-q", "--errors", "explained", demo.toString(), "0");
     try (JavaProcess urbi = JavaProcess.start(root, URBI, words)) {
       urbi.awaitText("load: file not found: tracking.u");
@@ -444,7 +427,7 @@ class SimulatedRobotTest {
   @Test
   void devicesRunInAProcessOfTheirOwn() throws Exception {
     String module = built.resolve("sim.jar").toString();
-    try (ServerProcess server = ServerProcess.in(ROOT);
+    try (ServerProcess server = ServerProcess.in(SimulatedRobot.ROOT);
         JavaProcess devices =
             JavaProcess.start(
                 root, LAUNCH, List.of("--port", String.valueOf(server.port()), module))) {

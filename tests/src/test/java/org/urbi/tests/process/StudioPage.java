@@ -22,10 +22,15 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
    * @param room to open; empty for the first one
    */
   static StudioPage start(Path folder, String program, String room) throws Exception {
+    return start(Setting.in(folder), Browser.flat(), folder, program, room);
+  }
+
+  /** Likewise with a setting and browser of its own. */
+  static StudioPage start(
+      Setting setting, Browser browser, Path folder, String program, String room) throws Exception {
     Path file = Files.writeString(folder.resolve("program.u"), program);
     List<String> words = List.of("--studio=0", "-P", "0", "-i", "-f", file.toString());
-    Browser browser = Browser.flat();
-    JavaProcess urbi = JavaProcess.start(Setting.in(folder), URBI, words);
+    JavaProcess urbi = JavaProcess.start(setting, URBI, words);
     try {
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
