@@ -105,6 +105,7 @@ class StudioVariablesTest {
         return new Set(new Uint32Array(pixels.buffer)).size;
         """,
         colours -> Integer.parseInt(colours) > 10);
+    marksAreToldApart(browser);
     isZoomedByAFinger(browser);
     browser.evaluate("document.querySelector('#plot-pause').click()");
     String frozen = browser.evaluate(points);
@@ -121,6 +122,17 @@ class StudioVariablesTest {
     browser.evaluate("document.querySelector('#plotted button').click()");
     String plotted = "return document.querySelectorAll('#plotted li').length";
     assertEquals("1", browser.evaluate(plotted));
+  }
+
+  /** Numbers at an axis that differ little, are 0 from below, or long. */
+  private static void marksAreToldApart(Browser browser) throws Exception {
+    browser.evaluate(
+        """
+        const marks = [-0.0005, -0, 0.00025, 0.0005, 0.1 + 0.2, 1200000, 2.5e9];
+        import('./plot.js').then(({shownMark}) => window.marks = marks.map(shownMark).join(' '));
+        """);
+    browser.await(
+        "marks", "return window.marks", "-0.0005 0 0.00025 0.0005 0.3 1200000 2.5e+9"::equals);
   }
 
   private static void isZoomedByAFinger(Browser browser) throws Exception {

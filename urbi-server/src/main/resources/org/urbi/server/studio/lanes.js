@@ -132,8 +132,11 @@ export class Lanes {
     const x = (time) => width * (1 - (now - time) / this.span);
     const below = list.row > rem(HIGH);
     const sizes = { lane: rem(LANE), line: rem(THIN) };
-    context.fillStyle = colours.line;
-    for (let i = 0; i < 6; i++) context.fillRect((width * i) / 6, 0, 1, height);
+    const grid = (top, bottom) => {
+      context.fillStyle = colours.line;
+      for (let i = 0; i < 6; i++) context.fillRect((width * i) / 6, top, 1, bottom - top);
+    };
+    if (!below) grid(0, height);
     const { first, last } = list.visible();
     const middle = new Map();
     for (let i = first; i < last; i++) {
@@ -142,6 +145,9 @@ export class Lanes {
     }
     for (let i = first; i < last; i++) {
       const line = list.lines[i];
+      const y = middle.get(line.key);
+      // Lines through what is above a lane would make it hard to read.
+      if (below && line.job) grid(y - sizes.lane / 2, y + sizes.lane / 2);
       if (line.job) this.lane(context, line.key, middle, x, width, colours, sizes);
     }
     canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + 1;

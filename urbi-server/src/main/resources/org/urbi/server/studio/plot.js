@@ -8,7 +8,14 @@ const MOST = 16;
 const KEPT_SECONDS = 600;
 const HEIGHT = 13.75;
 const KEY_PART = 0.25;
+const LONG = 1e7;
 const COLOURS = ["jobs", "signal", "running", "event", "condition", "bad", "outside", "frozen"];
+
+// A number at an axis: neighbours differ, however close they are.
+export function shownMark(mark) {
+  const number = Number(mark.toPrecision(12));
+  return Math.abs(number) < LONG ? String(number) : number.toExponential();
+}
 
 export class Plot {
   constructor(find, studio) {
@@ -121,7 +128,10 @@ export class Plot {
       height: rem(HEIGHT),
       legend: { show: false },
       scales: { x: { time: false } },
-      axes: [{ ...axis, size: rem(3), space: rem(4), values: (_, marks) => marks.map((mark) => `${mark} s`) }, { ...axis, size: rem(3.75) }],
+      axes: [
+        { ...axis, size: rem(3), space: rem(4), values: (_, marks) => marks.map((mark) => `${shownMark(mark)} s`) },
+        { ...axis, size: rem(3.75), values: (_, marks) => marks.map(shownMark) },
+      ],
       series: [{}, ...this.ways.map((way, i) => ({ label: shownWay(way), stroke: this.colour(COLOURS[i % COLOURS.length]), width: 1.5, spanGaps: false }))],
       hooks: { setSelect: [(chart) => (this.zoomed = chart.select.width > 0 || this.zoomed)] },
     };
