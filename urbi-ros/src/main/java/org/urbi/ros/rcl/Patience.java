@@ -6,8 +6,8 @@ import java.time.Duration;
  * Waits at the end for what may hang in the middleware: after a while it says so, and in the end it
  * gives up, because somebody else waits for it in turn.
  *
- * @param silent as long nothing is said
- * @param limit as long it waits in all
+ * @param silent for how long nothing is said
+ * @param limit for how long it waits in all
  */
 record Patience(Duration silent, Duration limit) {
   static final Patience USUAL = new Patience(Duration.ofSeconds(1), Duration.ofSeconds(5));
@@ -22,7 +22,7 @@ record Patience(Duration silent, Duration limit) {
   /**
    * Waits.
    *
-   * @param waits is called if it takes longer than nobody needs to know
+   * @param waits is called if it takes so long that people should know
    * @return whether it has come
    */
   boolean await(Awaited what, Runnable waits) throws InterruptedException {
