@@ -62,9 +62,8 @@ final class KernelLobbies implements Lobbies {
 
   /** Closes those that share that budget, which is that of a client. */
   void closeCreated(Budget budget) {
-    List<UrbiLobby> all = new ArrayList<>(created);
-    all.removeIf(lobby -> lobby.budget() != budget);
-    UrbiLobby.closeAll(kernel.scheduler(), all);
+    UrbiLobby.closeAll(
+        kernel.scheduler(), created.stream().filter(lobby -> lobby.budget() == budget).toList());
   }
 
   private void gone(UrbiLobby lobby) {

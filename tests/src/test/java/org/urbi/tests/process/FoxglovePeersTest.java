@@ -24,6 +24,8 @@ class FoxglovePeersTest {
   private static final Path SCRIPTS = Path.of("src/test/resources/foxglove").toAbsolutePath();
   private static final String URBI = "org.urbi.server.cli.UrbiCommand";
   private static final String ADDRESS = "studio: http";
+  private static final Path CLIENT = PEERS.resolve("protocol/node_modules");
+  private static final String NO_CLIENT = "no client: scripts/foxglove-peers.sh gets it";
 
   private static final String PROGRAM =
       """
@@ -50,6 +52,20 @@ class FoxglovePeersTest {
     }
   }
 
+  /** What Foxglove's own client hears of a server whose program is ready by then. */
+  private static List<String> heard(JavaProcess urbi, String script, String query, String... words)
+      throws Exception {
+    String line = urbi.awaitText(ADDRESS);
+    urbi.send("echo(\"rea\" + \"dy\");\n");
+    urbi.awaitText("ready");
+    List<String> command = new ArrayList<>();
+    command.add("node");
+    command.add(SCRIPTS.resolve(script).toString());
+    command.add("ws" + line.substring(line.indexOf(ADDRESS) + ADDRESS.length()) + query);
+    command.addAll(List.of(words));
+    return run(Map.of("NODE_PATH", CLIENT.toString()), command.toArray(String[]::new));
+  }
+
   private static List<String> read(Path file, String... how)
       throws IOException, InterruptedException {
     Path python = PEERS.resolve("mcap/bin/python");
@@ -70,8 +86,7 @@ class FoxglovePeersTest {
   @ParameterizedTest
   @ValueSource(strings = {"foxglove.websocket.v1", "foxglove.sdk.v1"})
   void foxglovesClientLooks(String subprotocol, @TempDir Path folder) throws Exception {
-    Path library = PEERS.resolve("protocol/node_modules");
-    assumeTrue(Files.exists(library), "no client: scripts/foxglove-peers.sh gets it");
+    assumeTrue(Files.exists(CLIENT), NO_CLIENT);
     String reaction =
         """
         at (seen?(var what)) { Logger.log(what); ball.x = 5; };
@@ -82,17 +97,7 @@ class FoxglovePeersTest {
     List<String> words =
         List.of("-q", "--studio=0", "--watch", "counter", "-i", "-f", program.toString());
     try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
-      String line = urbi.awaitText(ADDRESS);
-      String address = "ws" + line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
-      urbi.send("echo(\"rea\" + \"dy\");\n");
-      urbi.awaitText("ready");
-      List<String> heard =
-          run(
-              Map.of("NODE_PATH", library.toString()),
-              "node",
-              SCRIPTS.resolve("look.cjs").toString(),
-              address,
-              subprotocol);
+      List<String> heard = heard(urbi, "look.cjs", "", subprotocol);
       has(
           heard,
           "server clientPublish parameters parametersSubscribe services time",
@@ -126,25 +131,13 @@ class FoxglovePeersTest {
   @ParameterizedTest
   @ValueSource(strings = {"foxglove.websocket.v1", "foxglove.sdk.v1"})
   void messagesOfRosAreReadLive(String subprotocol, @TempDir Path folder) throws Exception {
-    Path library = PEERS.resolve("protocol/node_modules");
-    assumeTrue(Files.exists(library), "no client: scripts/foxglove-peers.sh gets it");
+    assumeTrue(Files.exists(CLIENT), NO_CLIENT);
     Path program =
         Files.writeString(folder.resolve("program.u"), PROGRAM + "waiting: every (1h) {},\n");
     List<String> words = List.of("-q", "--studio=0", "-i", "-f", program.toString());
     try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
-      String line = urbi.awaitText(ADDRESS);
-      String address = "ws" + line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
-      urbi.send("echo(\"rea\" + \"dy\");\n");
-      urbi.awaitText("ready");
       List<String> heard =
-          run(
-              Map.of("NODE_PATH", library.toString()),
-              "node",
-              SCRIPTS.resolve("look-ros.cjs").toString(),
-              address + "?messages=ros2",
-              subprotocol,
-              "/ball/x",
-              "/ball/picture");
+          heard(urbi, "look-ros.cjs", "?messages=ros2", subprotocol, "/ball/x", "/ball/picture");
       Path messages = Files.write(folder.resolve("messages"), heard);
       List<String> content = read(messages, "live");
       has(content, "/ball/x urbi/msg/Number {\"value\":1.0}");

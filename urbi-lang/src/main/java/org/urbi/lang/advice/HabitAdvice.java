@@ -118,18 +118,7 @@ final class HabitAdvice {
     } else if (around.is(at, UrbiscriptLexer.ELSE) && around.is(first, UrbiscriptLexer.AT)) {
       return Advice.of(SyntaxHint.ONLEAVE.text());
     } else if (open != null && open.mark() == '(') {
-      int before = open.token() - 1;
-      if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.ASSERT)) {
-        return Advice.of(SyntaxHint.ASSERT_MESSAGE.text());
-      }
-      if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.FOR)) {
-        return Advice.of(SyntaxHint.LOOP_PARTS.text());
-      } else if (isElement(around, before)) {
-        return Advice.of(SyntaxHint.LOOP.text());
-      }
-      return around.is(at, UrbiscriptLexer.WORD) && around.is(before, UrbiscriptLexer.CATCH)
-          ? Advice.of(SyntaxHint.CAUGHT.text(around.text(at)))
-          : null;
+      return inParentheses(around, open.token() - 1);
     } else if (around.is(at - 1, UrbiscriptLexer.ASSERT)) {
       return Advice.of(SyntaxHint.ARGUMENTS.text("assert", "x == 1"));
     } else if (around.is(at, UrbiscriptLexer.LBRACE) && around.text(at - 1).equals("detach")) {
@@ -141,6 +130,20 @@ final class HabitAdvice {
             && around.is(first, UrbiscriptLexer.AT)
             && isNear(around.text(at), "onleave")
         ? Advice.of(SyntaxHint.MISSPELLED.text("onleave"))
+        : null;
+  }
+
+  private static @Nullable Advice inParentheses(Surroundings around, int before) {
+    int at = around.at();
+    if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.ASSERT)) {
+      return Advice.of(SyntaxHint.ASSERT_MESSAGE.text());
+    } else if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.FOR)) {
+      return Advice.of(SyntaxHint.LOOP_PARTS.text());
+    } else if (isElement(around, before)) {
+      return Advice.of(SyntaxHint.LOOP.text());
+    }
+    return around.is(at, UrbiscriptLexer.WORD) && around.is(before, UrbiscriptLexer.CATCH)
+        ? Advice.of(SyntaxHint.CAUGHT.text(around.text(at)))
         : null;
   }
 
