@@ -120,7 +120,7 @@ class JobViewTest {
     program.say(
         """
         var Global.e = Event.new|; var Global.f = Event.new|;
-        at (e?) reacting: { sleep(2ms); f! };
+        at (e?) reacting: { sleep(2ms)| f! };
         listening: loop { waituntil (f?); sleep(1ms) },
         beating: every (20ms) e!,
         """);
