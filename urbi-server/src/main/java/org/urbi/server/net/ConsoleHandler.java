@@ -23,6 +23,7 @@ import org.urbi.server.Trace;
  * <p>Input goes to the lobby as it arrives. The handler stops reading while more than {@link
  * Limits#input} bytes wait for the kernel. When the client ends its stream, the lobby executes the
  * input that it has as far as that does not wait; when the client disconnects, the lobby ends.
+ * {@link PeerProbe} tells the one from the other.
  */
 final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Client {
   /** The output limit of a process with UObjects, which receives images. */
@@ -34,6 +35,8 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   private final Trace trace;
   private ChannelHandlerContext context;
   private ClientOutput output;
+  private PeerProbe probe;
+  private boolean inputEnded;
   private volatile @Nullable Connection connection;
   private volatile boolean over = true;
 
@@ -48,6 +51,9 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   @Override
   public void handlerAdded(ChannelHandlerContext context) {
     this.context = context;
+    probe =
+        new PeerProbe(
+            context.channel(), () -> inputEnded || !context.channel().config().isAutoRead());
     output =
         new ClientOutput(
             context.channel(),
@@ -86,6 +92,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     }
     if (lobby != null && lobby.pendingInput() > limits.input()) {
       context.channel().config().setAutoRead(false);
+      probe.begin();
       inputConsumed();
     }
   }
@@ -116,7 +123,9 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
       if (lobby == null) {
         context.close();
       } else {
+        inputEnded = true;
         lobby.hangUp();
+        probe.begin();
         NetworkThread.close(context.channel(), limits.secondsAfterEnd());
       }
     }
