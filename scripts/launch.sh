@@ -36,7 +36,8 @@ if [ ! -x "$java" ] || [ ! -d "$root/$dist/lib" ] || [ "$commit" != "$built_from
 fi
 
 # A server has periods to keep beside clients who fill its memory, so it collects garbage in small pieces. For that
-# it needs room: with less than 200 MB it would do nothing else.
+# it needs room: with less than 200 MB it would do nothing else. Its regions are larger than it would choose: a job
+# whose stack is larger than half of one (some thousand calls, interpreted; more, compiled) cannot wait.
 collector=
 little=
 for word in ${URBI_JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-}; do
@@ -49,7 +50,7 @@ if [ "$main" = org.urbi.server.cli.UrbiCommand ] && [ -z "$little" ]; then
   for word; do
     case $word in
       --) break ;;
-      -P* | --port | --port=* | --socket | --socket=*) collector="-XX:+UseG1GC -XX:MaxGCPauseMillis=10 -XX:+UnlockExperimentalVMOptions -XX:G1NewSizePercent=2" ;;
+      -P* | --port | --port=* | --socket | --socket=*) collector="-XX:+UseG1GC -XX:MaxGCPauseMillis=10 -XX:+UnlockExperimentalVMOptions -XX:G1NewSizePercent=2 -XX:G1HeapRegionSize=8m" ;;
     esac
   done
 fi

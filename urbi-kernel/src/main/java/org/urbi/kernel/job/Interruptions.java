@@ -43,6 +43,7 @@ public final class Interruptions {
   private final Journal journal;
   private final Clock machine;
   private final boolean counted;
+  private final DeepStack deepStack;
   private BiFunction<Job, StopReason, RuntimeException> limitFailure =
       (job, reason) -> TagStop.WHOLE_JOB;
   private volatile boolean wanted;
@@ -80,6 +81,7 @@ public final class Interruptions {
     this.turns = turns;
     this.journal = journal;
     this.machine = machine;
+    this.deepStack = new DeepStack(turns, machine);
     this.counted = journal.countsChecks();
     this.wanted = counted;
   }
@@ -167,6 +169,11 @@ public final class Interruptions {
   /** Sets the exception that ends a job which has reached a limit, {@code OVERDUE} or another. */
   public void setLimitFailure(BiFunction<Job, StopReason, RuntimeException> failure) {
     limitFailure = failure;
+  }
+
+  /** When to try whether the running job can let others run. */
+  DeepStack deepStack() {
+    return deepStack;
   }
 
   /** The turn of a job begins. */
@@ -295,10 +302,10 @@ public final class Interruptions {
 
   /**
    * To be called while an exception unwinds many calls, which takes long: lets others run if there
-   * are any.
+   * are any, and the stack is not too deep for that.
    */
   public void yieldWhileUnwinding(Job job) {
-    if (job.nonInterruptible() > 0) {
+    if (job.nonInterruptible() > 0 || !deepStack.mayBePutAway()) {
       return;
     }
     // The number of the turn changes even if nobody else runs, so the state of ending this job is
@@ -308,6 +315,8 @@ public final class Interruptions {
       if (job.scheduler().hasOthers()) {
         job.yieldNow();
       }
+    } catch (StackOverflowError e) {
+      deepStack.refused();
     } finally {
       resume(termination);
     }

@@ -267,10 +267,24 @@ public final class Job extends JobFacts implements Runnable {
     } else if (scheduler.hasOthers()) {
       place = code;
       where = next;
-      scheduler.enqueueAgain(this);
-      switchOut();
+      letOthersRun();
     } else {
       checkInjected();
+    }
+  }
+
+  /** A stack that is too deep to be put away lets nobody else run, which is no error. */
+  private void letOthersRun() {
+    if (!interruptions.deepStack().mayBePutAway()) {
+      checkInjected();
+      checkInterrupted();
+      return;
+    }
+    scheduler.enqueueAgain(this);
+    try {
+      switchOut();
+    } catch (StackOverflowError e) {
+      interruptions.deepStack().refused();
     }
   }
 

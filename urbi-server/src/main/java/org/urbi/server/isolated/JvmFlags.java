@@ -14,7 +14,8 @@ final class JvmFlags {
       Pattern.compile(
           "--add-opens=.*|--enable-native-access=.*|-Xlog:disable|-Djdk\\.trackAllThreads=.*"
               + "|-XX:\\+Use(Serial|Parallel|G1|Z|Shenandoah|Epsilon)GC"
-              + "|-XX:[+-](UseCompactObjectHeaders|UsePerfData|UnlockExperimentalVMOptions)");
+              + "|-XX:[+-](UseCompactObjectHeaders|UsePerfData|ProfileExceptionHandlers"
+              + "|UnlockExperimentalVMOptions)");
 
   private JvmFlags() {}
 

@@ -73,6 +73,7 @@ class JvmFlagsTest {
             "--add-opens=java.base/java.lang=ALL-UNNAMED",
             "-XX:+UseCompactObjectHeaders",
             "-XX:-UsePerfData",
+            "-XX:-ProfileExceptionHandlers",
             "-Xlog:disable",
             "-XX:+UseZGC"),
         JvmFlags.common(
@@ -80,6 +81,7 @@ class JvmFlagsTest {
                 "--add-opens=java.base/java.lang=ALL-UNNAMED",
                 "-XX:+UseCompactObjectHeaders",
                 "-XX:-UsePerfData",
+                "-XX:-ProfileExceptionHandlers",
                 "-Xlog:disable",
                 "-XX:AOTCache=urbi.aot",
                 "-Xmx8g",
