@@ -11,8 +11,12 @@ import org.urbi.kernel.error.Problem;
  * leaves one of them, it also leaves the code that started it, and the others end.
  */
 public final class JobGroup {
+  /** To start very many takes long, so after each such crowd others have their turns. */
+  private static final int CROWD = 10_000;
+
   private final Job parent;
   private final JobList live = new JobList();
+  private int started;
   private boolean left;
   private @Nullable Throwable failure;
 
@@ -20,11 +24,28 @@ public final class JobGroup {
     this.parent = parent;
   }
 
-  /** Starts a job under the tags of the parent; it runs when its turn comes. */
+  /**
+   * Starts a job under the tags of the parent; it runs when its turn comes.
+   *
+   * @throws RuntimeException the exception that has left one of those before
+   */
   public Job start(Job.Body body) {
+    if (started == CROWD) {
+      started = 0;
+      letOthersRun();
+    }
+    started++;
     Job job = parent.scheduler().start(parent, this, body);
     live.add(linkOf(job));
     return job;
+  }
+
+  private void letOthersRun() {
+    try {
+      parent.yield();
+    } catch (RuntimeException e) {
+      throw translate(e);
+    }
   }
 
   private static JobList.Link linkOf(Job child) {

@@ -51,6 +51,46 @@ class JobGroupTest {
     assertEquals(List.of("ended at 1"), loop.run());
   }
 
+  @Test
+  void othersHaveTheirTurnsWhileVeryManyAreStarted() {
+    loop.start(parent -> {
+      JobGroup group = new JobGroup(parent);
+      for (int i = 0; i < 25_000; i++) {
+        group.start(child -> {});
+      }
+      loop.say("all");
+      group.join();
+      group.leave();
+    });
+    loop.start(other -> {
+      loop.say("one");
+      other.yield();
+      loop.say("two");
+      other.yield();
+      loop.say("three");
+    });
+    assertEquals(List.of("one", "two", "all", "three"), loop.run());
+  }
+
+  @Test
+  void noMoreAreStartedWhenOneHasFailed() {
+    RuntimeException failure = new IllegalArgumentException();
+    loop.start(parent -> {
+      JobGroup group = new JobGroup(parent);
+      group.start(child -> {
+        throw failure;
+      });
+      for (int i = 1; i < 10_000; i++) {
+        group.start(child -> {});
+      }
+      assertSame(
+          failure,
+          assertThrows(IllegalArgumentException.class, () -> group.start(child -> loop.say("no"))));
+      group.leave();
+    });
+    assertEquals(List.of(), loop.run());
+  }
+
   /** The first failure counts, even if the others fail while they end. */
   @Test
   void ofManyFailuresTheFirstCounts() {

@@ -126,7 +126,7 @@ final class GroupType {
     List<UrbiObject> results = new ArrayList<>();
     ParallelCalls.forEach(
         frame,
-        self.members(),
+        List.copyOf(self.members()),
         (forked, member) ->
             results.add(forked.interpreter().call(forked, site, action, self, member)));
     return results(self, results);
