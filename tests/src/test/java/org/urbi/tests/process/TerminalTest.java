@@ -89,6 +89,19 @@ class TerminalTest {
     user.await("] 43");
   }
 
+  /** What is pasted is one text, also by a terminal that does not mark it. */
+  @Test
+  void whatNoSeparatorWouldMendIsToldAtOnce() throws Exception {
+    user.enter("functon f(x) { x }");
+    user.await("did you mean `function'?");
+    user.enter("20 + 24;");
+    user.await("] 44");
+    user.enter("functon g(x)" + ENTER + "{ x };" + ENTER + "20 + 25;");
+    user.await("did you mean `function'?");
+    String then = user.await("] 45");
+    assertFalse(then.contains("!!!"), then);
+  }
+
   @Test
   void helpAndListsOfNamesHaveNoColours() throws Exception {
     user.enter("help(\"List.map\");");

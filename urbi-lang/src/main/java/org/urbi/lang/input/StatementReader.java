@@ -110,7 +110,8 @@ public final class StatementReader {
 
   /**
    * Tells that the input ended within a statement, which is dropped; null when it did not. To call
-   * after the last {@link #next}.
+   * after the last {@link #next}. If something is wrong in it that no more input could mend, that
+   * is told, and not the end.
    */
   public @Nullable Item unfinished() {
     if (discarding || start == position || !splitter.pending()) {
@@ -120,7 +121,29 @@ public final class StatementReader {
     Source source = lines.cut(text);
     start = position;
     int end = endOfCode(text);
-    return invalid(SyntaxError.of(new Span(source, end, end), SyntaxProblem.UNEXPECTED_END));
+    SyntaxError mistake = mistakeBefore(source, end);
+    return invalid(
+        mistake == null
+            ? SyntaxError.of(new Span(source, end, end), SyntaxProblem.UNEXPECTED_END)
+            : mistake);
+  }
+
+  /**
+   * Whether the input stops in a statement that cannot be finished, because of a mistake in it. As
+   * {@link #unfinished}, to call after the last {@link #next}; drops the statement, too.
+   */
+  public boolean hopeless() {
+    return unfinished() instanceof Item.Invalid invalid
+        && invalid.errors().stream()
+            .noneMatch(error -> error.problem() == SyntaxProblem.UNEXPECTED_END);
+  }
+
+  /** What is wrong in a statement before it breaks off; null when nothing is. */
+  private @Nullable SyntaxError mistakeBefore(Source source, int end) {
+    return UrbiParser.parseStatement(source, 0, end, checkpoint).errors().stream()
+        .filter(error -> error.span().end() < end)
+        .findFirst()
+        .orElse(null);
   }
 
   /** Where a text ends, but for white space and for comments that are whole lines. */

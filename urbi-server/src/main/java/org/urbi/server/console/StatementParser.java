@@ -6,6 +6,7 @@ import org.jline.reader.CompletingParsedLine;
 import org.jline.reader.EOFError;
 import org.jline.reader.ParsedLine;
 import org.jline.reader.Parser;
+import org.urbi.lang.input.StatementReader;
 import org.urbi.lang.text.StatementSplitter;
 import org.urbi.server.source.SourceText;
 
@@ -19,13 +20,21 @@ final class StatementParser implements Parser {
   private static final String SEPARATOR = ";";
 
   private final BooleanSupplier within;
+  private final BooleanSupplier goesOn;
 
   /**
    * @param within whether the lines belong to a statement that has begun before them, so that each
    *     is passed on as it is
+   * @param goesOn whether more has come than the lines: what is pasted is one text
    */
-  StatementParser(BooleanSupplier within) {
+  StatementParser(BooleanSupplier within, BooleanSupplier goesOn) {
     this.within = within;
+    this.goesOn = goesOn;
+  }
+
+  /** What is to follow the lines that the editor has given, so that their last statement is over. */
+  static String ending(ParsedLine parsed) {
+    return parsed instanceof Typed typed ? typed.ending() : "";
   }
 
   @Override
@@ -37,14 +46,31 @@ final class StatementParser implements Parser {
       StatementSplitter read = StatementSplitter.over(SourceText.bytes(line + '\n'));
       if (read.pending()) {
         String open = read.open();
+        if (open.isEmpty() && isHopeless(line) && !goesOn.getAsBoolean()) {
+          // Nobody is asked for the end of what the end would not make right.
+          return new Typed(line, cursor, SEPARATOR);
+        }
         throw new EOFError(-1, -1, "unfinished", open.isEmpty() ? SEPARATOR : open);
       }
     }
-    return new Typed(line, cursor);
+    return new Typed(line, cursor, "");
   }
 
-  /** The line, and its word before the cursor. */
-  private record Typed(String line, int cursor) implements CompletingParsedLine {
+  private static boolean isHopeless(String line) {
+    var reader = new StatementReader(null);
+    reader.feed(SourceText.bytes(line + '\n'));
+    while (reader.next() != null) {
+      // Those that are whole are told of by whom they are sent to.
+    }
+    return reader.hopeless();
+  }
+
+  /**
+   * The line, and its word before the cursor.
+   *
+   * @param ending what is to follow the line
+   */
+  private record Typed(String line, int cursor, String ending) implements CompletingParsedLine {
     @Override
     public String word() {
       String before = line.substring(0, cursor);

@@ -92,7 +92,7 @@ public final class TerminalSession implements AutoCloseable {
             .variable(LineReader.SECONDARY_PROMPT_PATTERN, CONTINUED)
             // In urbiscript an exclamation mark is an operator, and a backslash stands for itself.
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
-            .parser(new StatementParser(() -> within))
+            .parser(new StatementParser(() -> within, this::goesOn))
             .history(new StatementHistory(history, this::tell))
             .completer(completions);
     if (!colours) {
@@ -104,6 +104,15 @@ public final class TerminalSession implements AutoCloseable {
         requireNonNull(reader.getKeyMaps().get(LineReader.MAIN), "every editor has it");
     keys.bind(new Suspension(terminal), KeyMap.ctrl('Z'));
     keys.bind((Widget) this::endTypedAhead, END_TYPED_AHEAD);
+  }
+
+  /** Whether more was pasted, or typed, than the line that is being read. */
+  private boolean goesOn() {
+    try {
+      return terminal.reader().peek(1) >= 0;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** Ends the session, unless something is typed: then the key is what it is elsewhere. */
@@ -149,7 +158,9 @@ public final class TerminalSession implements AutoCloseable {
     while (console.isOpen()) {
       try {
         within = connection.incomplete();
-        connection.send(SourceText.bytes(reader.readLine()) + "\n");
+        String typed = reader.readLine();
+        String ending = StatementParser.ending(reader.getParsedLine());
+        connection.send(SourceText.bytes(typed) + ending + "\n");
         console.awaitInputConsumed(connection);
       } catch (UserInterruptException e) {
         interrupted(connection, e.getPartialLine(), interrupt);

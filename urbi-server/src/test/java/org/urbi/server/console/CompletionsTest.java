@@ -76,7 +76,7 @@ class CompletionsTest {
     reader =
         LineReaderBuilder.builder()
             .terminal(terminal)
-            .parser(new StatementParser(() -> false))
+            .parser(new StatementParser(() -> false, () -> false))
             .completer(completions)
             .build();
     completions.attach(reader);
