@@ -108,7 +108,9 @@ final class ErrorAdvice {
     } else if (name.equals("'n")) {
       String slot = thrown.span() == null ? "x'n" : thrown.span().text();
       slot = slot.substring(0, slot.length() - (slot.endsWith(name) ? name.length() : 0));
-      return Hint.NO_RANGE.text(slot, slot, slot);
+      return Hint.NO_RANGE.text(slot, slot, slot, slot);
+    } else if (name.startsWith("'")) {
+      return Hint.PRIME.text();
     } else if (isOfSession(name, asked)) {
       return Hint.OF_SESSION.text(name, name);
     } else if (follows(ASSIGNED)) {

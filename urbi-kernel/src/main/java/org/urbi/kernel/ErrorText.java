@@ -8,6 +8,7 @@ import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.library.code.LoadedFiles;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.lobby.Output;
@@ -20,6 +21,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.advice.Advice;
 import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.source.Span;
 
 /** Shows errors that no code has caught, as the manual does. */
 final class ErrorText {
@@ -28,9 +30,11 @@ final class ErrorText {
   /**
    * Reports an exception that nobody has caught.
    *
+   * @param files which of them are the library's
    * @param job null if it was thrown between the turns of the jobs
    */
-  static void tell(Interpreter interpreter, @Nullable Job job, Throwable failure) {
+  static void tell(
+      Interpreter interpreter, LoadedFiles files, @Nullable Job job, Throwable failure) {
     if (job == null) {
       FailureLog.internal("the kernel thread", failure);
       return;
@@ -43,7 +47,7 @@ final class ErrorText {
         lobby.shell().failed();
       }
       try {
-        report(interpreter, job, lobby, failure);
+        report(interpreter, files, job, lobby, failure);
       } catch (ControlFlowException unwinding) {
         throw unwinding;
       } catch (Throwable unable) {
@@ -75,14 +79,15 @@ final class ErrorText {
   }
 
   /** Sends an error to a lobby. */
-  private static void report(Interpreter interpreter, Job job, UrbiLobby lobby, Throwable failure) {
+  private static void report(
+      Interpreter interpreter, LoadedFiles files, Job job, UrbiLobby lobby, Throwable failure) {
     Output output = lobby.output();
     switch (failure) {
       case UrbiException e when isCounted(interpreter, job, lobby, e) -> lobby.failures().add(e);
       case UrbiException e -> {
         String place = isPlaced(interpreter, e.value()) ? Diagnostics.place(e.span()) : "";
         Diagnostics.error(output, place + text(interpreter, job, lobby, e));
-        explain(interpreter, lobby, e);
+        explain(interpreter, files, lobby, e);
         Diagnostics.callersOfError(output, e.backtrace());
       }
       case StackOverflowError e -> exhausted(output, Problem.STACK_EXHAUSTED);
@@ -110,7 +115,8 @@ final class ErrorText {
     return missing != null && lobby.failures().counts(missing, thrown.span());
   }
 
-  private static void explain(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
+  private static void explain(
+      Interpreter interpreter, LoadedFiles files, UrbiLobby lobby, UrbiException thrown) {
     Output output = lobby.output();
     if (output.errors() == ErrorStyle.PLAIN) {
       return;
@@ -125,9 +131,23 @@ final class ErrorText {
         Diagnostics.explain(output, null, () -> Advice.of(cause));
       }
     } else {
-      Diagnostics.explain(output, thrown.span(), () -> ErrorAdvice.of(interpreter, lobby, thrown));
+      Diagnostics.explain(
+          output, ownPlace(files, thrown), () -> ErrorAdvice.of(interpreter, lobby, thrown));
     }
     lobby.failures().add(thrown);
+  }
+
+  /** The line that people can do something about: within the library, the call that led there. */
+  private static @Nullable Span ownPlace(LoadedFiles files, UrbiException thrown) {
+    Span place = thrown.span();
+    if (place == null || !files.isOfSystem(place)) {
+      return place;
+    }
+    return thrown.backtrace().stream()
+        .map(UrbiException.Call::span)
+        .filter(call -> call != null && !files.isOfSystem(call))
+        .findFirst()
+        .orElse(place);
   }
 
   /**

@@ -65,6 +65,7 @@ public final class Kernel implements AutoCloseable {
   private final LogLines logLines;
   private final KernelLog log;
   private final Interpreter interpreter;
+  private final LoadedFiles loadedFiles;
   private final Embedding embedding;
   private final PluggedContext uobjects;
   private final Outside outside;
@@ -130,9 +131,9 @@ public final class Kernel implements AutoCloseable {
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
-    var loadedFiles = new LoadedFiles();
+    loadedFiles = new LoadedFiles();
     var stackFrames = new StackFrames(world, loadedFiles);
-    Library.install(interpreter, tables(builder, loadedFiles, stackFrames), stackFrames);
+    Library.install(interpreter, tables(builder, stackFrames), stackFrames);
     places = new Places(world.prototype("Global"), lobbies::all);
     knownEvents = new KnownEvents(scheduler, places, world.values().object);
     interventions = new Interventions(interpreter, knownEvents, places);
@@ -141,8 +142,7 @@ public final class Kernel implements AutoCloseable {
   }
 
   /** The builtins, with what they need of this kernel. */
-  private BuiltinTable[] tables(
-      KernelBuilder builder, LoadedFiles loadedFiles, StackFrames stackFrames) {
+  private BuiltinTable[] tables(KernelBuilder builder, StackFrames stackFrames) {
     Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     return LibraryTables.all(
         new CommandLine(builder.programName, builder.arguments),
@@ -470,6 +470,6 @@ public final class Kernel implements AutoCloseable {
   }
 
   private void report(Job job, Throwable failure) {
-    ErrorText.tell(interpreter, job, failure);
+    ErrorText.tell(interpreter, loadedFiles, job, failure);
   }
 }

@@ -39,7 +39,10 @@ public enum Hint {
       "`{name}' was not declared: its declaration failed at {place}; what else misses it is counted"),
   FOLLOWING("{count} more error{s} in {file} came of that, since these are missing: {names}"),
   NOT_LOADED("`{name}' may come from what was not loaded at {place}"),
-  NO_RANGE("`{slot}'n' goes from 0, {slot}->rangemin, to 1, {slot}->rangemax: give it both first"),
+  NO_RANGE(
+      "{slot}'n is the place of {slot} in its range: first set {slot}->rangemin and {slot}->rangemax"),
+  PRIME(
+      "a single quote asks the value before it for a slot of that name; strings stand in double quotes"),
   INIT("`new' gives its arguments to `init' of {name}, which takes ({parameters})"),
   NO_INIT("`new' gives its arguments to `init', which {name} lacks: function init(…) { … }"),
   COMPARES("what sorts is asked of two elements: list.sort(function (a, b) { a > b })"),

@@ -23,9 +23,6 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.lang.advice.Advice;
-import org.urbi.lang.advice.LocalDeclarations;
-import org.urbi.lang.advice.Note;
-import org.urbi.lang.advice.SuspectCode;
 import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.input.Item;
@@ -66,6 +63,7 @@ public final class Shell {
 
   private final Interpreter interpreter;
   private final UrbiLobby lobby;
+  private final Suspicions suspicions;
   private final Listener listener;
   private StatementReader reader = newReader();
   private final StringBuilder received = new StringBuilder();
@@ -88,6 +86,7 @@ public final class Shell {
   public Shell(Interpreter interpreter, UrbiLobby lobby, Listener listener) {
     this.interpreter = interpreter;
     this.lobby = lobby;
+    suspicions = new Suspicions(lobby);
     this.listener = listener;
     this.foregroundTag = newTag();
   }
@@ -303,7 +302,7 @@ public final class Shell {
         if (item instanceof Item.Statement statement) {
           if (explains()) {
             reads(ends(statement.tree()) ? null : statement.tree().span().location().file());
-            showSuspicions(statement);
+            suspicions.look(statement);
           }
           execute(shell, statement);
         } else if (item instanceof Item.Invalid invalid) {
@@ -563,16 +562,6 @@ public final class Shell {
     if (explains()) {
       lobby.failures().reads(file, lobby.output());
     }
-  }
-
-  private void showSuspicions(Item.Statement statement) {
-    for (Note note : SuspectCode.in(statement.tree(), statement.separator())) {
-      Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
-    }
-    for (Note note : SuspectStatements.in(statement.tree(), lobby)) {
-      Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
-    }
-    lobby.failures().addLocal(LocalDeclarations.in(statement.tree()));
   }
 
   private void show(SyntaxWarning warning) {

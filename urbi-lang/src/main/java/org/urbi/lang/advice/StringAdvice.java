@@ -20,6 +20,12 @@ final class StringAdvice {
     return null;
   }
 
+  /** {@code 'it's'}, {@code o.v'q}: the quote is an operator there. */
+  static @Nullable Advice apostrophe(Surroundings around) {
+    boolean quote = around.text(around.at() - 1).startsWith("'");
+    return quote ? Advice.of(SyntaxHint.QUOTES.text()) : null;
+  }
+
   /** The first string of several lines before a place, at which another one is not closed. */
   static @Nullable Advice before(Surroundings around, int place) {
     for (int i = 0; i < around.at() && around.span(i).begin() < place; i++) {

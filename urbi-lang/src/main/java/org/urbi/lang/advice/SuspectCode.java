@@ -45,6 +45,27 @@ public final class SuspectCode {
     return found;
   }
 
+  /**
+   * What looks like a mistake in two statements in a row: {@code x, y = 1, 2}.
+   *
+   * @param separator what ended the first
+   */
+  public static List<Note> between(Ast first, Ast.@Nullable Flavor separator, Ast second) {
+    boolean several =
+        separator == Ast.Flavor.COMMA
+            && isName(first)
+            && second instanceof Ast.Assignment assignment
+            && isName(assignment.target())
+            && first.span().location().endLine() == second.span().location().line();
+    return several
+        ? List.of(new Note(second.span(), SyntaxHint.ONE_BY_ONE.text(first.span().text())))
+        : List.of();
+  }
+
+  private static boolean isName(Ast code) {
+    return code instanceof Ast.Message name && name.target() == null && name.arguments() == null;
+  }
+
   /** {@code every (1s) …;} keeps the input that follows waiting. */
   private static boolean isEndless(Ast statement) {
     boolean loops =
@@ -90,9 +111,8 @@ public final class SuspectCode {
 
   /** {@code true = 1}. These are names like others, so that it is allowed. */
   private static void value(Ast.Assignment assignment, List<Note> found) {
-    if (assignment.target() instanceof Ast.Message name
-        && name.target() == null
-        && name.arguments() == null
+    if (isName(assignment.target())
+        && assignment.target() instanceof Ast.Message name
         && VALUES.contains(name.name())) {
       found.add(new Note(name.span(), SyntaxHint.VALUE.text(name.name())));
     }

@@ -29,6 +29,7 @@ public final class SyntaxAdvice {
           BracketAdvice::parentheses,
           BracketAdvice::braces,
           StringAdvice::string,
+          StringAdvice::apostrophe,
           SeparatorAdvice::missing,
           SeparatorAdvice::semicolon,
           OperatorAdvice::operand);

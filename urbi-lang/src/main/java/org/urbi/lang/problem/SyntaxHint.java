@@ -83,6 +83,8 @@ public enum SyntaxHint {
   COMPOSED(
       "`&' and `|' put statements together; conditions are joined by && and ||, bits by bitand"),
   ENDLESS("this does not end, and what is typed next waits for it: `,' at its end does not wait"),
+  ONE_BY_ONE(
+      "`{name},' is a statement of its own: names get their values one by one, x = 1; y = 2"),
 
   SIGN(
       "`=' and `{sign}' are two operators here, and give a value with a sign; `{sign}=' changes it"),

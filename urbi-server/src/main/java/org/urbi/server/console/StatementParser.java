@@ -32,7 +32,9 @@ final class StatementParser implements Parser {
     this.goesOn = goesOn;
   }
 
-  /** What is to follow the lines that the editor has given, so that their last statement is over. */
+  /**
+   * What is to follow the lines that the editor has given, so that their last statement is over.
+   */
   static String ending(ParsedLine parsed) {
     return parsed instanceof Typed typed ? typed.ending() : "";
   }

@@ -7,9 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Wait;
+import org.urbi.lang.source.Span;
 
 /** Which source files one kernel has loaded, or is loading (manual, "System": requireFile). */
 public final class LoadedFiles {
@@ -43,9 +43,9 @@ public final class LoadedFiles {
     systemFiles.addAll(names);
   }
 
-  /** Whether messages call a file of the library so. */
-  boolean isSystemFile(@Nullable String name) {
-    return systemFiles.contains(name);
+  /** Whether a place is in a file of the library. */
+  public boolean isOfSystem(Span place) {
+    return systemFiles.contains(place.location().file());
   }
 
   /** A file is being loaded from now on; tell its {@link #end}. */

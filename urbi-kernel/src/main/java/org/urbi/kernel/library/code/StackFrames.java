@@ -40,9 +40,7 @@ public final class StackFrames {
     Elements frames = new Elements(calls.size());
     UrbiObject prototype = world.prototype("StackFrame");
     for (UrbiException.Call call : calls) {
-      if (call.name() != null
-          && call.span() != null
-          && !(hides && files.isSystemFile(call.span().location().file()))) {
+      if (call.name() != null && call.span() != null && !(hides && files.isOfSystem(call.span()))) {
         frames.add(
             prototype.clonedWith(
                 slots, world.values().string(call.name()), locations.location(call.span())));
