@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Hint;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.lang.advice.Advice;
+import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.source.Span;
 
@@ -39,8 +40,8 @@ public final class EarlierFailures {
   /** The beginning of a statement that declares a name. */
   private static final Pattern DECLARING =
       Pattern.compile(
-          "(?s)(?:\\s|//[^\n]*\n|/\\*.*?\\*/)*+(?:const\\s+)?(?:var|function|class)\\s+"
-              + "(?:\\w+\\s*\\.\\s*)*(\\w+)");
+          "(?s)(?:\\s|//[^\n]*\n|/\\*.*?\\*/)*+(?:const\\s+)?(?<word>\\w+)\\s+"
+              + "(?:\\w+\\s*\\.\\s*)*(?<name>\\w+)");
 
   private static final Pattern LOADING =
       Pattern.compile("(?:System\\.)?(?:load|loadFile|loadModule|require|requireFile)\\(.*");
@@ -77,8 +78,10 @@ public final class EarlierFailures {
   /** Remembers what a statement that makes no sense would have declared. */
   public void add(SyntaxError error) {
     Matcher declaration = DECLARING.matcher(error.span().source().text());
-    if (declaration.lookingAt() && declaration.end() <= error.span().begin()) {
-      addUndeclared(declaration.group(1), error.span());
+    if (declaration.lookingAt()
+        && declaration.start("name") <= error.span().begin()
+        && SyntaxAdvice.isToDeclare(declaration.group("word"))) {
+      addUndeclared(declaration.group("name"), error.span());
     }
   }
 

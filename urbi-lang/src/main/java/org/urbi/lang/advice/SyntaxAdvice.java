@@ -36,6 +36,11 @@ public final class SyntaxAdvice {
 
   private SyntaxAdvice() {}
 
+  /** Whether a word declares what the next word names, or was meant to. */
+  public static boolean isToDeclare(String word) {
+    return WordAdvice.isToDeclare(word);
+  }
+
   /** What there is to say about an error. */
   public static Advice of(SyntaxError error) {
     Advice own = Advice.of(error.problem().hint().orElse(null));

@@ -53,6 +53,8 @@ final class WordAdvice {
   /** Those that do not only begin a statement. */
   private static final Set<String> WITHIN = Set.of("is", "until", "instanceof", "typeof");
 
+  private static final Set<String> DECLARING = Set.of("var", "function", "class");
+
   private WordAdvice() {}
 
   /** Quotes of a word processor, umlauts, {@code 12abc}. */
@@ -117,6 +119,12 @@ final class WordAdvice {
       }
     }
     return null;
+  }
+
+  /** {@code var}, {@code def}, {@code functon}. */
+  static boolean isToDeclare(String word) {
+    String meant = FOREIGN.containsKey(word) ? FOREIGN.get(word) : mistyped(word);
+    return DECLARING.contains(word) || meant != null && DECLARING.contains(meant);
   }
 
   private static @Nullable String mistyped(String word) {
