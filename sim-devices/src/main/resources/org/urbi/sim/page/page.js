@@ -44,11 +44,13 @@ function say(state, text) {
   byId("connection").textContent = text;
 }
 
-// How much faster than the clock on the wall the simulation goes, over the last seconds.
+// How much faster than the clock on the wall the simulation goes, over the last seconds. The first moment of which a page is told
+// may be the last one that somebody else has seen, long ago.
 function showTime(time) {
   const now = performance.now() / 1000;
-  if (!clock || time < clock.time) clock = { now, time };
   byId("time").textContent = `${time.toFixed(1)} s`;
+  if (!moment) return;
+  if (!clock || time < clock.time) clock = { now, time };
   if (now - clock.now > SPEED_SECONDS) {
     byId("speed").textContent = `× ${((time - clock.time) / (now - clock.now)).toFixed(2)}`;
     clock = { now, time };
@@ -70,8 +72,8 @@ function take(message) {
       for (const view of views) view.begin(message);
       break;
     case "moment":
-      moment = message;
       showTime(message.time);
+      moment = message;
       for (const view of views) view.take(message);
       break;
     case "refusal":

@@ -195,10 +195,15 @@ final class Browser {
     command("Emulation.setTouchEmulationEnabled", "\"enabled\":true,\"maxTouchPoints\":2");
   }
 
+  /** Has a screen of this size, in pixels, and a mouse. */
+  void becomeScreen(int width, int height) throws IOException {
+    command("Emulation.setDeviceMetricsOverride", screen(width, height, false));
+    command("Emulation.setTouchEmulationEnabled", "\"enabled\":false");
+  }
+
   /** Has a screen as large as a wall. */
   void becomeWall() throws IOException {
-    command("Emulation.setDeviceMetricsOverride", screen(3840, 2160, false));
-    command("Emulation.setTouchEmulationEnabled", "\"enabled\":false");
+    becomeScreen(3840, 2160);
   }
 
   /** Has the window again with which it began. */

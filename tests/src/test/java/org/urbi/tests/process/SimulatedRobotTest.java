@@ -105,6 +105,18 @@ class SimulatedRobotTest {
             + frame
             + ".offsetHeight";
     browser.await("the whole page on a telephone", whole, "true"::equals);
+    browser.becomeScreen(2560, 1440);
+    String seen =
+        """
+        const page = %s.contentDocument;
+        const world = page.querySelector('#world').getBoundingClientRect();
+        const { bottom, right } = page.querySelector('#drives').getBoundingClientRect();
+        const { clientWidth, clientHeight } = page.documentElement;
+        return world.width > clientWidth / 2 && world.bottom <= clientHeight
+            && right > clientWidth - 50 && bottom <= clientHeight;
+        """
+            .formatted(frame);
+    browser.await("a large screen filled, and nothing out of sight", seen, "true"::equals);
     browser.becomeUsual();
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     browser.await("the room of the jobs", "return !!" + frame, "false"::equals);
@@ -230,6 +242,9 @@ class SimulatedRobotTest {
     browser.open(line.substring(line.indexOf(ALONE) + ALONE.length()));
     browser.await("the world in three dimensions", SPACE, count -> number(count) > 50);
     browser.await("what the camera sees", painted(255, 179, 0), count -> number(count) > 2);
+    String speed = "return document.querySelector('#speed').textContent";
+    String shown = browser.await("its speed", speed, text -> text.startsWith("×"));
+    assertTrue(Double.parseDouble(shown.substring(2)) < 2, "as fast as the clock: " + shown);
     browser.await("what the sonar measures", painted(229, 57, 47), count -> number(count) > 2);
     urbi.send("playing.stop;\n");
     timeIsHaltedAndStepped(browser, urbi);

@@ -214,6 +214,11 @@ class StudioTest {
       assertEquals("", browser.evaluate(CUT), room);
       assertEquals("", browser.evaluate(TOO_SMALL), room);
     }
+    browser.becomeScreen(1000, 800);
+    String lines =
+        "return new Set([...document.querySelectorAll('header *')].map(each => "
+            + "Math.round(each.getBoundingClientRect().top / 60))).size";
+    browser.await("the whole header in one line", lines, "1"::equals);
     browser.becomeWall();
     browser.await("large letters", LETTERS, size -> Double.parseDouble(size) > 24);
     assertEquals("", browser.evaluate(CUT), "on a wall");

@@ -159,6 +159,9 @@ class StudioVariablesTest {
         return canvas && [...canvas.getContext('2d').getImageData(0, 0, 2, 1).data].join(' ');
         """,
         "255 0 0 255 0 255 0 255"::equals);
+    String field = "const field = document.querySelector('#slot-value'); return ";
+    assertEquals("rgb 2 1, 6 bytes", browser.evaluate(field + "field.placeholder + field.value"));
+    assertEquals("true", browser.evaluate(field + "field.disabled"), "nobody types an image");
   }
 
   private static void hearsASound(Browser browser) throws Exception {

@@ -46,7 +46,9 @@ final class ValueText {
       case UrbiTuple tuple -> elements("(", tuple.elements(), ")", depth);
       case UrbiDictionary dictionary -> "[" + dictionary.entries().size() + " entries]";
       case UrbiBinary binary ->
-          (binary.keywords() + ", " + binary.data().length() + " bytes").strip();
+          (binary.keywords().isBlank() ? "" : binary.keywords() + ", ")
+              + binary.data().length()
+              + " bytes";
       default -> type(value);
     };
   }

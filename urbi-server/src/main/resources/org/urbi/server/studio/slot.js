@@ -5,13 +5,15 @@ import { showMedia } from "./media.js";
 
 const SLIDE_MILLISECONDS = 100;
 const STEPS = 200;
+// What is shown as it is written in urbiscript, so that it can be changed. A camera is not replaced by a word.
+const TYPED = ["Float", "String", "List", "Tuple", "Boolean", "nil", "void"];
 
 const PAGE = `
   <h2 id="slot-title">Slot</h2>
   <p id="slot-hint" class="hint">Choose a slot: by a click, or with the arrow keys. ← and → close and open objects, Enter edits the value, p plots it.</p>
   <div id="slot-facts" hidden>
     <form id="assign">
-      <label for="slot-value">value, in urbiscript</label>
+      <label id="slot-label" for="slot-value">value, in urbiscript</label>
       <div class="buttons"><input id="slot-value" autocomplete="off" autocapitalize="off" spellcheck="false"><button id="slot-set" type="submit">Set</button></div>
       <div id="slot-range" hidden><span></span><input id="slot-slider" type="range" aria-label="The value, between its limits"><span></span></div>
       <p id="slot-result" class="hint" role="status"></p>
@@ -57,11 +59,15 @@ export class Slot {
   }
 
   showValue(slot) {
-    const may = this.studio.mayChange && !slot.constant;
+    const typed = slot.number !== null || TYPED.includes(slot.type);
+    const may = this.studio.mayChange && !slot.constant && typed;
     const field = this.find("slot-value");
     field.disabled = this.find("slot-set").disabled = !may;
-    const literal = slot.number !== null || ["String", "List", "Tuple", "Boolean", "nil"].includes(slot.type);
-    if (!this.dirty && document.activeElement !== field) field.value = literal && !slot.value.includes("…") ? slot.value : "";
+    set(this.find("slot-label"), typed ? "value, in urbiscript" : `${slot.type}: cannot be typed here, code can change it`);
+    // Of a long value there is only the beginning, which would be all if it were set.
+    const whole = typed && !slot.value.includes("…");
+    field.placeholder = whole ? "" : slot.value || slot.type;
+    if (!this.dirty && document.activeElement !== field) field.value = whole ? slot.value : "";
     const range = this.find("slot-range");
     range.hidden = slot.number === null || slot.least === null || slot.most === null;
     if (!range.hidden) {
