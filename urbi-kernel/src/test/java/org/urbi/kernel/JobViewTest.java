@@ -166,6 +166,9 @@ class JobViewTest {
     }
     owner.look();
     assertTrue(owner.look().changes < 20, () -> owner.changes + " changes of sleeping jobs");
+    assertEquals(5, owner.views, "views of 10,000 jobs, of which hardly any has changed");
+    assertTrue(owner.voidViews >= 3, () -> owner.voidViews + " views that tell nothing");
+    assertTrue(!owner.last.isVoid(), "the last one ends the round");
     program.say("many.stop;");
     long latest = System.nanoTime() + TestTimeout.LONG.toNanos();
     while (owner.look().jobs.size() >= 20) {

@@ -38,6 +38,11 @@ public final class Viewer {
   /** How many jobs have changed in the last round. */
   int changes;
 
+  /** How many views that round had, and how many of them told nothing. */
+  int views;
+
+  int voidViews;
+
   private String way = "";
 
   public Viewer(Kernel kernel, Role role) {
@@ -49,8 +54,12 @@ public final class Viewer {
   /** A round over all jobs. */
   Viewer look(Look wanted) {
     changes = 0;
+    views = 0;
+    voidViews = 0;
     do {
       last = client.connection().look(wanted).join();
+      views++;
+      voidViews += last.isVoid() ? 1 : 0;
       assertTrue(last.jobs().size() <= 500, "a limited number in one tick");
       take();
     } while (!last.complete());

@@ -50,10 +50,10 @@ final class SeenTags {
     fresh.clear();
     if (all) {
       for (Seen tag : this.all.values()) {
-        TagRow now = row(tag.state, tag.told.name());
-        if (!now.equals(tag.told)) {
-          tag.told = now;
-          changes.add(now);
+        if (tag.told.frozen() != tag.state.isFrozen()
+            || tag.told.blocked() != tag.state.isBlocked()) {
+          tag.told = row(tag.state, tag.told.name());
+          changes.add(tag.told);
         }
       }
     }

@@ -35,4 +35,9 @@ public record View(
     @Nullable JobDetail detail,
     @Nullable ReactionView reactions,
     @Nullable VariableView variables,
-    boolean complete) {}
+    boolean complete) {
+  /** Whether it has nothing to tell but the time: in the middle of a round, most have not. */
+  public boolean isVoid() {
+    return !complete && jobs.isEmpty() && gone.isEmpty() && tags.isEmpty() && turns.isEmpty();
+  }
+}

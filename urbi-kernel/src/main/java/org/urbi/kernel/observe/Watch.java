@@ -17,8 +17,11 @@ import org.urbi.lang.source.Span;
  * limited time: of very many jobs a part each time. On the kernel thread, between the turns.
  */
 public final class Watch {
-  /** How many jobs are looked at in one tick. */
-  private static final int JOBS_AT_ONCE = 500;
+  /** How many jobs are looked at in one tick: where nothing has changed, that is soon seen. */
+  private static final int JOBS_AT_ONCE = 2500;
+
+  /** How many of them may have changed: to tell of those takes longer. */
+  private static final int ROWS_AT_ONCE = 500;
 
   private static final double SECOND = 1e9;
 
@@ -65,7 +68,7 @@ public final class Watch {
     List<JobRow> changed = new ArrayList<>();
     List<Long> gone = new ArrayList<>();
     int end = Math.min(next + JOBS_AT_ONCE, round.size());
-    for (; next < end; next++) {
+    for (; next < end && changed.size() < ROWS_AT_ONCE; next++) {
       Job job = round.get(next);
       if (job.state() != JobState.ENDED) {
         SeenJob one = find(job, gone, now);

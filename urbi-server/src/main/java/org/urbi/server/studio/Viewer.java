@@ -126,7 +126,9 @@ final class Viewer extends StreamHandler {
 
   private void show(Channel channel, View view) {
     looking = false;
-    send(channel, Answer.view(view));
+    if (!view.isVoid()) {
+      send(channel, Answer.view(view));
+    }
     if (view.complete()) {
       int pause = PERIOD + view.total() / JOBS_PER_MILLISECOND;
       Runnable next = LateAnswers.guarding(channel, () -> look(channel));
