@@ -18,6 +18,7 @@ import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
+import org.urbi.lang.parse.UrbiParser;
 
 /**
  * Does in urbiscript what people who look at a kernel want: in a job of their lobby, with its role
@@ -28,6 +29,9 @@ public final class Interventions {
   private interface Work {
     void run(Frame frame);
   }
+
+  /** By what errors call the code of people who look. */
+  private static final String STUDIO = "studio";
 
   private final Interpreter interpreter;
   private final KnownEvents events;
@@ -57,7 +61,7 @@ public final class Interventions {
         by,
         answer,
         frame -> {
-          UrbiObject values = evaluate(frame, by, "[" + payload + "\n]");
+          UrbiObject values = evaluate(frame, by, list(frame, payload));
           if (!(values instanceof UrbiList list)) {
             throw interpreter.errors().primitive("emit", Problem.NO_PAYLOAD);
           }
@@ -91,8 +95,22 @@ public final class Interventions {
         });
   }
 
+  /**
+   * The code of the list of what an event is emitted with. If people have not finished to type it,
+   * it is left as it is: its error must not speak of a bracket that they have not typed.
+   */
+  private static String list(Frame frame, String payload) {
+    String list = "[" + payload + "\n]";
+    return isSound(frame, list) || isSound(frame, payload) ? list : payload;
+  }
+
+  private static boolean isSound(Frame frame, String code) {
+    Runnable interruption = frame.job()::checkInterrupted;
+    return UrbiParser.parse(Utf8Text.toUrbi(code), STUDIO, interruption).errors().isEmpty();
+  }
+
   private static UrbiObject evaluate(Frame frame, UrbiLobby by, String code) {
-    return Evaluation.eval(frame, null, by, Utf8Text.toUrbi(code), "studio");
+    return Evaluation.eval(frame, null, by, Utf8Text.toUrbi(code), STUDIO);
   }
 
   private void begin(UrbiLobby by, Consumer<String> answer, Work work) {
@@ -102,7 +120,7 @@ public final class Interventions {
         .startDetached(
             by,
             interpreter.scheduler().rootScope(),
-            "studio",
+            STUDIO,
             job -> outcome[0] = outcome(by, job, work))
         .onEnd(() -> answer.accept(outcome[0]));
   }

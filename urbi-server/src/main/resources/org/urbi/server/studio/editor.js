@@ -27,7 +27,7 @@ const MOST_FAILURES = 100;
 
 const LOOKS = EditorView.theme({
   "&": { height: "100%", fontSize: ".875rem", color: "var(--text)", backgroundColor: "var(--card)", border: "1px solid var(--line)", borderRadius: "7px" },
-  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "1px" },
+  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
   ".cm-scroller": { fontFamily: 'ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace', lineHeight: "1.45" },
   ".cm-content": { caretColor: "var(--text)" },
   ".cm-gutters": { backgroundColor: "var(--card)", color: "var(--faint)", borderRight: "1px solid var(--line)", borderRadius: "7px 0 0 7px" },
