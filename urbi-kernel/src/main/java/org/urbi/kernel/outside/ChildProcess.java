@@ -59,7 +59,7 @@ public final class ChildProcess {
     int number = outside.inbox().register(this::ended);
     if (process != null) {
       // While the process runs, it keeps alive the object that kills it.
-      Closeable end = process::destroyForcibly;
+      Closeable end = () -> end(process);
       outside.opened(end);
       outside.start(() -> {
         int last = awaitEnd(process);
@@ -146,7 +146,7 @@ public final class ChildProcess {
           job,
           () -> {
             Process process = builder(command, directory, env).inheritIO().start();
-            Closeable end = process::destroyForcibly;
+            Closeable end = () -> end(process);
             outside.opened(end);
             try {
               return process.waitFor();
@@ -192,19 +192,27 @@ public final class ChildProcess {
     waiters.await(job, () -> status != null);
   }
 
-  /** Kills the program; what it has written remains to be read. */
+  /** Kills the program, soon, with those that it has begun; what it has written can be read. */
   public void kill() {
-    if (process != null) {
-      kill(process);
+    Process running = process;
+    if (running != null) {
+      // To look for those takes a while.
+      outside.start(() -> kill(running));
     }
   }
 
   /**
-   * Kills a process and leaves its streams open: {@link Process#destroyForcibly} closes them, with
-   * what nobody has read yet.
+   * Kills a process, with those that it has begun, and leaves its streams open: {@link
+   * Process#destroyForcibly} closes them, with what nobody has read yet.
    */
   public static void kill(Process process) {
-    process.toHandle().destroyForcibly();
+    ProcessTree.kill(process.toHandle());
+  }
+
+  /** Nobody reads it any more. */
+  private static void end(Process process) {
+    kill(process);
+    process.destroyForcibly();
   }
 
   /** The status with which it ended; 0 for one that was ended by a signal. */

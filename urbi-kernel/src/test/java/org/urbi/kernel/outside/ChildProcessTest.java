@@ -296,6 +296,57 @@ class ChildProcessTest {
     });
   }
 
+  /** A shell that runs another one, in a session of its own, which runs a third program. */
+  private static final String LAUNCHER =
+      "setsid sh -c 'sleep 1000 & echo $!; echo $$; wait' & wait";
+
+  private static ProcessHandle readProcess(ChildProcess child, Job job) throws IOException {
+    StringBuilder number = new StringBuilder();
+    for (int next = child.out().read(job); next != '\n'; next = child.out().read(job)) {
+      number.append((char) next);
+    }
+    return ProcessHandle.of(Long.parseLong(number.toString())).orElseThrow();
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void whatAKilledProgramHasBegunIsKilled() throws Exception {
+    inKernel((outside, job) -> {
+      ChildProcess child = shell(outside, job, LAUNCHER);
+      ProcessHandle sleeper = readProcess(child, job);
+      ProcessHandle shell = readProcess(child, job);
+      child.kill();
+      child.join(job);
+      assertEquals(9, child.signal());
+      sleeper.onExit().join();
+      shell.onExit().join();
+    });
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void whatProgramsHaveBegunIsKilledWithTheKernel() throws Exception {
+    List<ProcessHandle> begun = new ArrayList<>();
+    inKernel((outside, job) -> {
+      ChildProcess child = shell(outside, job, LAUNCHER);
+      begun.add(readProcess(child, job));
+      begun.add(readProcess(child, job));
+    });
+    begun.forEach(each -> each.onExit().join());
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void whatAProgramThatHasEndedHadBegunLivesOn() throws Exception {
+    Process shell = new ProcessBuilder("sh", "-c", "sleep 1000 >&- 2>&- & echo $!").start();
+    String number = shell.inputReader().readLine();
+    ProcessHandle sleeper = ProcessHandle.of(Long.parseLong(number)).orElseThrow();
+    shell.waitFor();
+    ProcessTree.kill(shell.toHandle());
+    assertTrue(sleeper.isAlive());
+    sleeper.destroyForcibly();
+  }
+
   @Test
   @EnabledOnOs(OS.LINUX)
   void programThatClosesItsOutputLivesOn() throws Exception {
