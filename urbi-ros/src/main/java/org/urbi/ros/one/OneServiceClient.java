@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
@@ -167,7 +168,7 @@ final class OneServiceClient implements ServiceClient {
   private UDictionary ask(TcpRosConnection connection, byte[] request, CompletableFuture<?> answer)
       throws IOException {
     answer.whenComplete((value, failure) -> {
-      if (failure instanceof TimeoutException) {
+      if (failure instanceof TimeoutException || failure instanceof CancellationException) {
         // What comes now would be taken for the answer to the next request.
         end(connection);
       }

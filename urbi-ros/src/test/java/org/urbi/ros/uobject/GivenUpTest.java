@@ -186,12 +186,29 @@ class GivenUpTest {
     assertEquals(2, closed.get());
   }
 
+  @Test
+  void aRequestThatIsStoppedIsNotKept() throws Exception {
+    CompletableFuture<Object> made =
+        kernel.evalAsync("var Global.service = Ros.Service.new(\"/s\", true)|;");
+    Awaited.next(asked).complete(client());
+    Awaited.value(made);
+    kernel.evalAsync("tag: service.request([ => ]);");
+    CompletableFuture<Object> answer = Awaited.next(asked);
+    kernel.eval("tag.stop| sleep(10ms);");
+    Awaited.until("the answer is given up", answer::isCancelled);
+  }
+
   private ServiceClient client() {
     return (ServiceClient)
         Proxy.newProxyInstance(
             ServiceClient.class.getClassLoader(),
             new Class<?>[] {ServiceClient.class},
             (proxy, method, arguments) -> {
+              if (method.getName().equals("request")) {
+                CompletableFuture<Object> answer = new CompletableFuture<>();
+                asked.add(answer);
+                return answer;
+              }
               if (method.getName().equals("close")) {
                 closed.incrementAndGet();
               }

@@ -147,7 +147,10 @@ public final class ProcessType {
     running(frame, site, self).program().join(frame.job());
   }
 
-  @Builtin(doc = "Ends the program, unless it has ended; it is not asked.")
+  @Builtin(
+      doc =
+          "Ends the program, unless it has ended, and the programs that it has begun; they are not"
+              + " asked.")
   static void kill(Frame frame, CallSite site, UrbiProcess self) {
     ChildProcess program = running(frame, site, self).program();
     if (program.isRunning()) {
