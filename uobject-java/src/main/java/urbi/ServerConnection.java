@@ -76,13 +76,6 @@ public final class ServerConnection implements AutoCloseable {
     return isFile(host) ? host : host + ":" + port;
   }
 
-  /** What somebody can do who has met no server there, behind the message that says so. */
-  public static String whereNoneAnswers(String host, int port) {
-    return " (is a server running there? urbi "
-        + (isFile(host) ? "--socket " + host : "--port " + port)
-        + " starts one)";
-  }
-
   /** From now on this process connects by TLS, and trusts the certificates in a file alone. */
   public static void trust(String file) {
     System.setProperty(TLS_PROPERTY, "1");

@@ -250,8 +250,7 @@ public final class RemoteProgram implements RemoteRunner {
         if (reconnect || !(e.getCause() instanceof IOException)) {
           throw e;
         }
-        throw new UClientException(
-            e.getMessage() + ServerConnection.whereNoneAnswers(host, port), e.getCause());
+        throw new UClientException(e.getMessage() + NoServerHint.text(host, port), e.getCause());
       }
     }
 

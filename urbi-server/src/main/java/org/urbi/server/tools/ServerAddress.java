@@ -15,6 +15,7 @@ import urbi.ServerConnection;
 import urbi.TokenLine;
 import urbi.UClientException;
 import urbi.USyncClient;
+import urbi.remote.NoServerHint;
 
 /**
  * The address of the server that a tool connects to, and how long it waits for that server: options
@@ -199,7 +200,7 @@ public final class ServerAddress {
           + portFile
           + ", which one that was killed leaves behind)";
     }
-    return ServerConnection.whereNoneAnswers(host, port);
+    return NoServerHint.text(host, port);
   }
 
   @Override
