@@ -3,9 +3,6 @@ package org.urbi.kernel;
 import static java.util.Objects.requireNonNull;
 
 import java.nio.charset.StandardCharsets;
-import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
@@ -24,28 +21,14 @@ import org.urbi.kernel.memory.Evictable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.observe.CallEnd;
-import org.urbi.kernel.observe.Look;
-import org.urbi.kernel.observe.Media;
-import org.urbi.kernel.observe.Proposal;
-import org.urbi.kernel.observe.Sample;
-import org.urbi.kernel.observe.Steering;
-import org.urbi.kernel.observe.VariableListener;
-import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** A connection: what others ask of it are messages, the rest runs on the kernel thread. */
-final class KernelConnection implements Connection, Shell.Listener, Receiver, Evictable {
-  private final Kernel kernel;
-  private final int number;
+final class KernelConnection extends ConnectionParts
+    implements Shell.Listener, Receiver, Evictable {
   private final Client client;
   private final boolean holdsTime;
   private final AtomicInteger pending = new AtomicInteger();
-  private final ConnectionView view;
-  private final ConnectionFeed feed;
-  private final ConnectionCode code;
-  private final ConnectionFiles files;
-  private final ConnectionCompletions completions;
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -64,23 +47,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   /** Its messages have a receiver of that number. */
   KernelConnection(Kernel kernel, int number, Client client, boolean holdsTime) {
-    this.kernel = kernel;
-    this.number = number;
+    super(kernel, number);
     this.client = client;
     this.holdsTime = holdsTime;
-    this.view = new ConnectionView(kernel, number);
-    this.feed = new ConnectionFeed(kernel, number);
-    this.code = new ConnectionCode(kernel, number);
-    this.files = new ConnectionFiles(kernel, number);
-    this.completions = new ConnectionCompletions(kernel, number);
   }
 
   // ------------------------------------------------------------------ from any thread
-
-  @Override
-  public int number() {
-    return number;
-  }
 
   @Override
   public void send(String bytes) {
@@ -205,96 +177,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     return incomplete;
   }
 
-  @Override
-  public CompletableFuture<List<String>> complete(String text) {
-    return completions.ask(text, gone);
-  }
-
-  @Override
-  public CompletableFuture<List<Proposal>> propose(String text) {
-    return view.propose(this::lobby, text);
-  }
-
-  @Override
-  public CompletableFuture<View> look(Look wanted) {
-    return view.look(wanted);
-  }
-
-  @Override
-  public void lookNoMore() {
-    view.lookNoMore();
-  }
-
-  @Override
-  public CompletableFuture<String> steer(Steering.Action action, boolean tag, long target) {
-    return view.steer(action, tag, target);
-  }
-
-  @Override
-  public CompletableFuture<String> emit(long event, String payload) {
-    return view.emit(event, payload);
-  }
-
-  @Override
-  public CompletableFuture<String> assign(String way, String value) {
-    return view.assign(way, value);
-  }
-
-  @Override
-  public CodeRun run(String file, String text) {
-    return code.run(file, text);
-  }
-
-  @Override
-  public CompletableFuture<String> stop(int run) {
-    return code.stop(run);
-  }
-
-  @Override
-  public void open(String name, Runnable begin) {
-    files.open(name, begin);
-  }
-
-  @Override
-  public void save(String name, String text, String version, Runnable begin) {
-    files.save(name, text, version, begin);
-  }
-
-  @Override
-  public CompletableFuture<Sample> sample(List<String> ways) {
-    return view.sample(ways);
-  }
-
-  @Override
-  public CompletableFuture<Optional<Media>> media(String way) {
-    return view.media(way);
-  }
-
-  @Override
-  public void feed(VariableListener listener, boolean all, List<String> paths) {
-    feed.begin(listener, all, paths);
-  }
-
-  @Override
-  public void follow(int variable, boolean on) {
-    kernel.inbox().post(new Message.Followed(number, variable, on));
-  }
-
-  @Override
-  public CompletableFuture<List<@Nullable Object>> values(List<String> paths) {
-    return feed.values(paths);
-  }
-
-  @Override
-  public CompletableFuture<String> give(String path, @Nullable Object value) {
-    return feed.give(path, value);
-  }
-
-  @Override
-  public CompletableFuture<CallEnd> call(String path, List<@Nullable Object> arguments) {
-    return feed.call(path, arguments);
-  }
-
   // ------------------------------------------------------------------ on the kernel thread
 
   void open(Message.ConnectionOpened opened) {
@@ -368,26 +250,10 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     } else if (message instanceof Message.ConnectionFailed failed) {
       tell(failed.error());
     } else if (message instanceof Message.CompletionRequested asked) {
-      completions.take(asked, finished ? null : lobby());
+      takeCompletion(asked, finished ? null : lobby());
     } else if (finished) {
       closeParts();
-    } else if (message instanceof Message.LookedAt looked) {
-      view.take(looked);
-    } else if (message instanceof Message.LookEnded) {
-      view.endLook();
-    } else if (message instanceof Message.Steered steered) {
-      view.take(steered, lobby());
-    } else if (message instanceof Message.Emitted emitted) {
-      view.take(emitted, lobby());
-    } else if (message instanceof Message.Assigned assigned) {
-      view.take(assigned, lobby());
-    } else if (message instanceof Message.OfVariables wish) {
-      feed.take(wish, lobby());
-    } else if (message instanceof Message.OfCode wish) {
-      code.take(wish, lobby());
-    } else if (message instanceof Message.OfFiles wish) {
-      files.take(wish);
-    } else {
+    } else if (!takePart(message)) {
       throw new IllegalArgumentException(message.toString());
     }
   }
@@ -412,7 +278,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     finish();
     left = true;
     kernel.scheduler().interruptions().clear(lobby());
-    completions.close();
+    closeCompletions();
     if (!kernel.leftBehind().has(this)) {
       forget();
     }
@@ -481,12 +347,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     }
   }
 
-  /** Another connection has been opened, with a lobby. */
-  void lobbyOpened() {
-    feed.lobbyOpened();
+  @Override
+  boolean isGone() {
+    return gone;
   }
 
-  /** Its lobby, once it is open. */
+  @Override
   UrbiLobby lobby() {
     return requireNonNull(lobby, "its messages come when it is open");
   }
@@ -568,13 +434,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
         throw e;
       }
     }
-  }
-
-  private void closeParts() {
-    view.close();
-    feed.close();
-    code.close();
-    files.close();
   }
 
   private void leave() {
