@@ -217,7 +217,7 @@ class LocationTest {
           2, 3);
         [00000000:error] !!! 11.1-12.7: f: expected 2 arguments, given 3
         Math.cos("a");
-        [00000000:error] !!! 13.1-13: cos: expected 1 argument, given 0
+        [00000000:error] !!! 13.1-13: cos: argument 1: unexpected "a", expected a Float
         "a" * "b";
         [00000000:error] !!! 14.1-9: *: argument 1: unexpected "b", expected a Float
         """);
