@@ -50,6 +50,12 @@ public interface Connection {
    */
   void hangUp();
 
+  /**
+   * The number of the turn, without an end so far, in which code of this client runs; -1 if none
+   * does. As long as it is the same, that code lets nobody else run. May be asked on any thread.
+   */
+  long runningTurn();
+
   /** The client has gone: all its jobs end. */
   void close();
 

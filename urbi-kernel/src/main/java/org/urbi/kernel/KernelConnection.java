@@ -76,6 +76,14 @@ final class KernelConnection extends ConnectionParts
   }
 
   @Override
+  public long runningTurn() {
+    long turn = kernel.scheduler().turn();
+    Job running = kernel.scheduler().running();
+    boolean own = running != null && running.lobby() == lobby;
+    return own && turn == kernel.scheduler().turn() ? turn : -1;
+  }
+
+  @Override
   public void close() {
     if (!gone) {
       closing = true;

@@ -53,13 +53,20 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     this.context = context;
     probe =
         new PeerProbe(
-            context.channel(), () -> inputEnded || !context.channel().config().isAutoRead());
+            context.channel(),
+            () -> inputEnded || !context.channel().config().isAutoRead(),
+            this::runningTurn);
     output =
         new ClientOutput(
             context.channel(),
             limits.output(),
             totalOutput,
             () -> trace.log("client does not read what it is sent, letting it go: " + name()));
+  }
+
+  private long runningTurn() {
+    Connection lobby = connection;
+    return lobby == null ? PeerProbe.NO_TURN : lobby.runningTurn();
   }
 
   /** The connection to the lobby; null before there is one, and when it is over. */

@@ -9,6 +9,7 @@ import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,25 +30,37 @@ final class PeerProbe {
   private static final int ANSWER_MILLISECONDS = 10;
   private static final int LONGEST_MILLISECONDS = 1000;
 
+  private static final int HOLD_MILLISECONDS = 20;
+
   private static final int NO_OPERATION = 0;
+
+  /** None of its code runs. */
+  static final long NO_TURN = -1;
 
   private final Channel channel;
   private final BooleanSupplier isUnheard;
+  private final LongSupplier runningTurn;
   private final @Nullable SocketChannel socket;
   private boolean isRunning;
   private boolean hasAsked;
+  private boolean hasGone;
+  private long turn = NO_TURN;
   private int pause;
 
   /**
    * @param isUnheard whether nothing is read from the client; asked on the network thread
+   * @param runningTurn the turn in which its code runs, or {@link #NO_TURN}
    */
-  PeerProbe(Channel channel, BooleanSupplier isUnheard) {
+  PeerProbe(Channel channel, BooleanSupplier isUnheard, LongSupplier runningTurn) {
     this.channel = channel;
     this.isUnheard = isUnheard;
+    this.runningTurn = runningTurn;
     this.socket = socketOf(channel);
   }
 
-  /** Nothing is read from now on: closes the channel when the client turns out to be gone. */
+  /**
+   * Nothing is read from now on: closes the channel when a client that is gone holds the kernel.
+   */
   void begin() {
     if (socket != null && !isRunning) {
       isRunning = true;
@@ -69,13 +82,27 @@ final class PeerProbe {
 
   private void look() {
     isRunning = channel.isOpen() && isUnheard.getAsBoolean();
-    if (isRunning && isGone()) {
+    if (!isRunning) {
+      return;
+    }
+    hasGone = hasGone || isGone();
+    if (!hasGone) {
+      pause = ask() ? ANSWER_MILLISECONDS : Math.min(2 * pause, LONGEST_MILLISECONDS);
+    } else if (holds()) {
       isRunning = false;
       channel.close();
-    } else if (isRunning) {
-      pause = ask() ? ANSWER_MILLISECONDS : Math.min(2 * pause, LONGEST_MILLISECONDS);
-      next();
+      return;
+    } else {
+      pause = HOLD_MILLISECONDS;
     }
+    next();
+  }
+
+  /** Whether its code still runs in the same turn as when it was looked at last. */
+  private boolean holds() {
+    long before = turn;
+    turn = runningTurn.getAsLong();
+    return turn != NO_TURN && turn == before;
   }
 
   /** A Unix domain socket tells without. */

@@ -106,6 +106,22 @@ class PeerProbeTest {
     }
   }
 
+  /** The kernel has no time for it until the one who holds it lets others run. */
+  @Test
+  void whatWasSentBeforeIsExecutedThoughTheKernelWasBusy() throws IOException {
+    try (TestClient busy = client();
+        TestClient judge = client()) {
+      assertEquals("[] 1", busy.ask("1;"));
+      TestClient leaving = client();
+      assertEquals("[] 1", leaving.ask("1;"));
+      busy.send(COMPUTE);
+      leaving.send("var Global.done = 2 | nil;");
+      leaving.close();
+      assertEquals("[] \"still here\"", busy.line());
+      assertEquals("[] 2", judge.ask("waituntil (Global.hasSlot(\"done\")) | done;"));
+    }
+  }
+
   @Test
   void whoeverOnlySendsNoMoreGetsTheAnswerAndNothingElse() throws IOException {
     try (TestClient waiting = client()) {

@@ -49,6 +49,11 @@ final class RecordingConnection implements Connection {
   }
 
   @Override
+  public long runningTurn() {
+    return -1;
+  }
+
+  @Override
   public void close() {
     calls.add("close");
   }
