@@ -1,6 +1,7 @@
 package org.urbi.kernel.outside;
 
 import java.io.IOException;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -30,7 +31,8 @@ final class ProcessTree {
   private static List<ProcessHandle> begunBy(ProcessHandle program) {
     try {
       return told(program);
-    } catch (IOException notLinux) {
+    } catch (IOException | DirectoryIteratorException untold) {
+      // It is no Linux, or a thread or the program has ended meanwhile.
       try {
         return program.children().toList();
       } catch (RuntimeException unable) {
