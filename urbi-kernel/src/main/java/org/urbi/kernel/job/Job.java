@@ -265,21 +265,21 @@ public final class Job extends JobFacts implements Runnable {
       checkInjected();
       checkInterrupted();
     } else if (scheduler.hasOthers()) {
-      place = code;
-      where = next;
-      letOthersRun();
+      letOthersRun(code, next);
     } else {
       checkInjected();
     }
   }
 
   /** A stack that is too deep to be put away lets nobody else run, which is no error. */
-  private void letOthersRun() {
+  private void letOthersRun(@Nullable Place code, @Nullable Located next) {
     if (!interruptions.deepStack().mayBePutAway()) {
       checkInjected();
       checkInterrupted();
       return;
     }
+    place = code;
+    where = next;
     scheduler.enqueueAgain(this);
     try {
       switchOut();
