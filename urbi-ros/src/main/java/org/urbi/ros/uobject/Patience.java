@@ -35,18 +35,27 @@ final class Patience {
   }
 
   /**
-   * The answer; fails when it takes too long, and ends the promise then.
+   * The answer; fails when it takes too long. The promise ends then, and when the answer is
+   * cancelled because the job that waits was stopped: nobody need keep it.
    *
    * @param who does not answer
    * @param most milliseconds
    */
   static <T> CompletableFuture<T> within(long most, String who, CompletableFuture<T> answer) {
-    return answer
-        .orTimeout(most, TimeUnit.MILLISECONDS)
-        .exceptionallyCompose(failure ->
-            CompletableFuture.failedFuture(
-                failure instanceof TimeoutException
-                    ? new RosException(who + " has not answered within " + most + " ms", failure)
-                    : failure));
+    CompletableFuture<T> awaited =
+        answer
+            .orTimeout(most, TimeUnit.MILLISECONDS)
+            .exceptionallyCompose(failure ->
+                CompletableFuture.failedFuture(
+                    failure instanceof TimeoutException
+                        ? new RosException(
+                            who + " has not answered within " + most + " ms", failure)
+                        : failure));
+    awaited.whenComplete((value, failure) -> {
+      if (awaited.isCancelled()) {
+        answer.cancel(false);
+      }
+    });
+    return awaited;
   }
 }

@@ -1,6 +1,5 @@
 package org.urbi.ros.uobject;
 
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
@@ -72,15 +71,7 @@ public final class RosService extends UObject implements AutoCloseable {
    */
   public CompletionStage<UDictionary> request(UDictionary request) {
     long most = patience.milliseconds();
-    CompletableFuture<UDictionary> answer = client().request(request);
-    CompletableFuture<UDictionary> job = Patience.within(most, service, answer);
-    job.whenComplete((value, failure) -> {
-      if (job.isCancelled()) {
-        // The job was stopped: the client need not keep what nobody waits for.
-        answer.cancel(false);
-      }
-    });
-    return job;
+    return Patience.within(most, service, client().request(request));
   }
 
   @Override
