@@ -50,9 +50,13 @@ public interface Connection {
    */
   void hangUp();
 
+  /** The number of no turn, see {@link #runningTurn}. */
+  long NO_TURN = -1;
+
   /**
-   * The number of the turn, without an end so far, in which code of this client runs; -1 if none
-   * does. As long as it is the same, that code lets nobody else run. May be asked on any thread.
+   * The number of the turn, without an end so far, in which code of this client runs, or {@link
+   * #NO_TURN}. As long as it is the same, that code lets nobody else run. May be asked on any
+   * thread.
    */
   long runningTurn();
 

@@ -80,7 +80,7 @@ final class KernelConnection extends ConnectionParts
     long turn = kernel.scheduler().turn();
     Job running = kernel.scheduler().running();
     boolean own = running != null && running.lobby() == lobby;
-    return own && turn == kernel.scheduler().turn() ? turn : -1;
+    return own && turn == kernel.scheduler().turn() ? turn : NO_TURN;
   }
 
   @Override

@@ -66,7 +66,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   private long runningTurn() {
     Connection lobby = connection;
-    return lobby == null ? PeerProbe.NO_TURN : lobby.runningTurn();
+    return lobby == null ? Connection.NO_TURN : lobby.runningTurn();
   }
 
   /** The connection to the lobby; null before there is one, and when it is over. */

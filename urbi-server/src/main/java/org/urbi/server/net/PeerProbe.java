@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.Connection;
 
 /**
  * Finds out whether a client is still there from whom nothing can be read: it has ended its stream,
@@ -34,9 +35,6 @@ final class PeerProbe {
 
   private static final int NO_OPERATION = 0;
 
-  /** None of its code runs. */
-  static final long NO_TURN = -1;
-
   private final Channel channel;
   private final BooleanSupplier isUnheard;
   private final LongSupplier runningTurn;
@@ -44,12 +42,12 @@ final class PeerProbe {
   private boolean isRunning;
   private boolean hasAsked;
   private boolean hasGone;
-  private long turn = NO_TURN;
+  private long turn = Connection.NO_TURN;
   private int pause;
 
   /**
    * @param isUnheard whether nothing is read from the client; asked on the network thread
-   * @param runningTurn the turn in which its code runs, or {@link #NO_TURN}
+   * @param runningTurn the turn in which its code runs, or {@link Connection#NO_TURN}
    */
   PeerProbe(Channel channel, BooleanSupplier isUnheard, LongSupplier runningTurn) {
     this.channel = channel;
@@ -102,7 +100,7 @@ final class PeerProbe {
   private boolean holds() {
     long before = turn;
     turn = runningTurn.getAsLong();
-    return turn != NO_TURN && turn == before;
+    return turn != Connection.NO_TURN && turn == before;
   }
 
   /** A Unix domain socket tells without. */

@@ -50,7 +50,7 @@ final class RecordingConnection implements Connection {
 
   @Override
   public long runningTurn() {
-    return -1;
+    return NO_TURN;
   }
 
   @Override
