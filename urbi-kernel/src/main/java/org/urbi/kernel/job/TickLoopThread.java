@@ -8,7 +8,6 @@ import java.lang.invoke.MethodType;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
-import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
@@ -23,6 +22,9 @@ import org.urbi.kernel.message.Message;
  */
 final class TickLoopThread implements JobThread, Executor {
   private static final @Nullable MethodHandle NEW_BUILDER = findBuilder();
+
+  /** What executes the virtual threads of the program. */
+  private static final @Nullable Executor OTHERS = findOthers();
 
   private final Factory factory;
   private final Job job;
@@ -71,8 +73,18 @@ final class TickLoopThread implements JobThread, Executor {
     }
   }
 
+  private static @Nullable Executor findOthers() {
+    try {
+      var getter = Class.forName("java.lang.VirtualThread").getDeclaredMethod("defaultScheduler");
+      getter.setAccessible(true);
+      return (Executor) getter.invoke(null);
+    } catch (ReflectiveOperationException | RuntimeException e) {
+      return null;
+    }
+  }
+
   static boolean isAvailable() {
-    return NEW_BUILDER != null;
+    return NEW_BUILDER != null && OTHERS != null;
   }
 
   @Override
@@ -81,8 +93,10 @@ final class TickLoopThread implements JobThread, Executor {
       own = task;
     }
     if (task != own) {
-      // A virtual thread started by code that a job has called: it is not a job.
-      ForkJoinPool.commonPool().execute(task);
+      // A virtual thread started by code that a job has called: it is not a job, but has inherited
+      // this scheduler. The common pool is no place for it. That has one thread on two processors,
+      // which a task there blocks that waits for a lock; if this thread has the lock, for ever.
+      requireNonNull(OTHERS, "the factory has looked").execute(task);
     } else if (handing && Thread.currentThread() == factory.loop) {
       handing = false;
       continuation = task;
@@ -172,7 +186,7 @@ final class TickLoopThread implements JobThread, Executor {
     private final Runnable runningLate = this::runLate;
 
     Factory(Inbox inbox) {
-      if (NEW_BUILDER == null) {
+      if (!isAvailable()) {
         throw new IllegalStateException(
             "java.lang is closed: run java with --add-opens java.base/java.lang=ALL-UNNAMED");
       }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -132,6 +133,36 @@ class JobThreadsTest {
   }
 
   // ------------------------------------------------------------------ what waits in Java
+
+  /** The pool has one thread on two processors, and what it executes may wait for that thread. */
+  @Test
+  void aThreadThatAJobHasStartedIsNotBehindWhatTheCommonPoolExecutes() throws Exception {
+    ForkJoinPool pool = ForkJoinPool.commonPool();
+    CountDownLatch full = new CountDownLatch(pool.getParallelism());
+    CountDownLatch done = new CountDownLatch(1);
+    for (int i = 0; i < pool.getParallelism(); i++) {
+      pool.execute(() -> {
+        full.countDown();
+        awaitEnd(done);
+      });
+    }
+    full.await();
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    loop.start(job -> {
+      Thread.ofVirtual().start(done::countDown);
+      awaitEnd(done);
+      loop.say("it ran");
+    });
+    assertEquals(List.of("it ran"), loop.run());
+  }
+
+  private static void awaitEnd(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
 
   @Test
   void whileAJobWaitsInJavaTheOthersGoOn() {
