@@ -30,6 +30,7 @@ import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.TypeHash;
 import org.urbi.ros.time.WallClock;
+import urbi.UDataType;
 import urbi.thread.InternalFailure;
 
 /** A node of ROS 1. The master may come later, go, and come back. */
@@ -89,7 +90,9 @@ public final class OneNode implements Node {
       node.server.start();
       node.out = new RosOut(node);
       node.parameters.watch(
-          "/" + ClockFollower.PARAMETER, value -> node.clock.follow(value.booleanValue()));
+          "/" + ClockFollower.PARAMETER,
+          value ->
+              node.clock.follow(value.getType() != UDataType.DATA_VOID && value.booleanValue()));
       return node;
     } catch (IOException e) {
       throw new RosException("no node of ROS: " + e.getMessage(), e);

@@ -39,7 +39,7 @@ public final class Parameters implements ParameterServer {
     return master
         .call(any -> any, "setParam", full, plain)
         // The master does not tell the one who sets it.
-        .thenAccept(any -> update(full, plain));
+        .thenCompose(any -> update(full, plain));
   }
 
   @Override
@@ -49,7 +49,11 @@ public final class Parameters implements ParameterServer {
 
   @Override
   public CompletableFuture<Void> delete(String name) {
-    return master.call(any -> any, "deleteParam", node.resolve(name)).thenApply(v -> null);
+    String full = node.resolve(name);
+    return master
+        .call(any -> any, "deleteParam", full)
+        // The master tells it later; who has deleted it expects it to be gone now.
+        .thenCompose(any -> update(full, Map.of()));
   }
 
   @Override
@@ -72,7 +76,7 @@ public final class Parameters implements ParameterServer {
     return names().thenApply(all -> all.stream().filter(each -> each.startsWith(within)).toList());
   }
 
-  /** Has a listener told the value, whenever it is set. */
+  /** Has a listener told the value whenever it is set, and void when it is not any more. */
   public void watch(String name, Consumer<UValue> listener) {
     String full = node.resolve(name);
     synchronized (listeners) {
@@ -83,7 +87,7 @@ public final class Parameters implements ParameterServer {
           @Override
           CompletableFuture<?> register(Api told) {
             return told.call(value -> value, "subscribeParam", node.uri(), full)
-                .thenAccept(value -> update(full, value));
+                .thenCompose(value -> update(full, value));
           }
 
           @Override
@@ -93,22 +97,34 @@ public final class Parameters implements ParameterServer {
         });
   }
 
-  /** A parameter has been set: the master calls it with a slash at the end. */
-  void update(String name, Object value) {
+  /**
+   * A parameter has been set or, when the value is an empty map, is not there: the master calls it
+   * with a slash at the end. Done when those who watch it have been told.
+   */
+  CompletableFuture<Void> update(String name, Object value) {
     String full = name.replaceAll("(?<=.)/$", "");
     Map<String, Consumer<UValue>> told;
     synchronized (listeners) {
       told = Map.copyOf(listeners);
     }
     boolean unset = value instanceof Map<?, ?> map && map.isEmpty();
+    List<CompletableFuture<Void>> asked = new ArrayList<>();
     told.forEach((watched, listener) -> {
       if (watched.equals(full) && !unset) {
         listener.accept(value(value));
-      } else if (full.startsWith(watched + "/")) {
-        // A part of it: the whole is asked for.
-        get(watched).thenAccept(listener);
+      } else if (watched.equals(full) || full.startsWith(watched + "/")) {
+        // Of a part the whole is asked for. What is told to be gone may be old news: somebody may
+        // have set it since. A master that has gone meanwhile is asked when it is back.
+        asked.add(ask(watched).thenAccept(listener).exceptionally(failure -> null));
       }
     });
+    return CompletableFuture.allOf(asked.toArray(CompletableFuture<?>[]::new));
+  }
+
+  /** The value, or void when the master has none. */
+  private CompletableFuture<UValue> ask(String full) {
+    return has(full)
+        .thenCompose(there -> there ? get(full) : CompletableFuture.completedFuture(new UValue()));
   }
 
   private static UValue value(Object plain) {

@@ -301,7 +301,16 @@ class OneNodeTest {
     Awaited.until("the time", () -> node.now() == 42_000_000_500L);
     node.parameters().set("/use_sim_time", new UValue(false)).get();
     assertTrue(node.now() > 1e18);
+    node.parameters().set("/use_sim_time", new UValue(true)).get();
+    Awaited.until("the time", () -> node.now() == 42_000_000_500L);
     node.parameters().delete("/use_sim_time").get();
+    assertTrue(node.now() > 1e18, "the parameter is not there any more");
+    node.parameters().set("/use_sim_time", new UValue(true)).get();
+    Awaited.until("the time", () -> node.now() == 42_000_000_500L);
+    try (RosProcess other = RosProcess.start(port, logs, "rosparam", "delete", "/use_sim_time")) {
+      assertEquals("", other.all());
+    }
+    Awaited.until("the time of people", () -> node.now() > 1e18);
   }
 
   @Test

@@ -22,6 +22,7 @@ import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.graph.Subscription;
 import urbi.UDictionary;
+import urbi.UValue;
 
 /** Masters and peers that come late, die, and come back. */
 class RestartTest {
@@ -78,6 +79,30 @@ class RestartTest {
         Awaited.until("no publisher", () -> chatter.publishers() == 0);
       }
       assertTrue(heard.failures.isEmpty(), heard.failures::toString);
+    } finally {
+      node.close();
+    }
+  }
+
+  @Test
+  void whatAMasterKeptIsGoneWithIt() throws Exception {
+    int port = FreePorts.next();
+    BlockingQueue<Boolean> presence = new LinkedBlockingQueue<>();
+    OneNode node =
+        OneNode.start(
+            OneSettings.of(RosProcess.environment(port), "tested", Map.of()), presence::add);
+    try {
+      assertEquals(false, Awaited.next(presence));
+      try (RosProcess master = RosProcess.master(port, logs)) {
+        assertEquals(true, Awaited.next(presence));
+        node.parameters().set("/use_sim_time", new UValue(true)).get();
+        assertEquals(0, node.now(), "nobody has told the time");
+      }
+      assertEquals(false, Awaited.next(presence));
+      try (RosProcess another = RosProcess.master(port, logs)) {
+        assertEquals(true, Awaited.next(presence));
+        Awaited.until("the time of people", () -> node.now() > 1e18);
+      }
     } finally {
       node.close();
     }
