@@ -2,6 +2,9 @@ package org.urbi.ros.one;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -18,9 +21,12 @@ import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.Dialect;
+import org.urbi.ros.message.Field;
+import org.urbi.ros.message.FieldType;
 import org.urbi.ros.message.FullText;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.TypeHash;
+import org.urbi.ros.message.TypeName;
 import urbi.UDictionary;
 
 /** A topic on which this node says something: who listens, and what each has still to get. */
@@ -29,6 +35,12 @@ final class Publication {
 
   /** Bytes that are no longer waiting, but being sent. */
   private static final int BATCH = 1 << 16;
+
+  private static final FieldType HEADER =
+      new FieldType.Nested(TypeName.message("std_msgs", "Header"));
+
+  private static final VarHandle INTEGER =
+      MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
 
   private final OneNode node;
   private final String topic;
@@ -39,12 +51,19 @@ final class Publication {
   private final List<Listener> listeners = new CopyOnWriteArrayList<>();
   private byte @Nullable [] latched;
 
+  /** Whether a message begins with a header, and so with its number, as in rospy and roscpp. */
+  private final boolean numbered;
+
+  private int number;
+
   Publication(OneNode node, String topic, MessageType type, Qos qos) {
     this.node = node;
     this.topic = topic;
     this.codec = MessageCodec.of(type);
     this.md5 = TypeHash.md5(type);
     this.qos = qos;
+    List<Field> fields = type.definition().fields();
+    this.numbered = !fields.isEmpty() && fields.getFirst().type().equals(HEADER);
   }
 
   /** One who publishes here: there may be several in this node. */
@@ -208,6 +227,9 @@ final class Publication {
 
   private void send(byte[] message) {
     synchronized (this) {
+      if (numbered) {
+        INTEGER.set(message, 0, ++number);
+      }
       if (qos.keptForLate()) {
         latched = message;
       }

@@ -176,6 +176,21 @@ class OneNodeTest {
     assertEquals(data.length + 7, Awaited.next(heard.messages).get("data").intValue());
   }
 
+  /** As those of rospy and roscpp, whatever the program has said. */
+  @Test
+  void whatBeginsWithAHeaderIsNumbered() throws Exception {
+    Heard heard = new Heard();
+    BlockingQueue<String> told = new LinkedBlockingQueue<>();
+    node.subscribe("/image_number", type("std_msgs/UInt32"), Qos.DEFAULT, heard);
+    Publisher out = publisher("/image_in", "sensor_msgs/Image", Qos.DEFAULT, told);
+    Awaited.next(told);
+    awaitGreeting(heard);
+    for (int number = 1; number <= 3; number++) {
+      out.publish(Templates.of(out.type()));
+      assertEquals(number, Awaited.next(heard.messages).get("data").intValue());
+    }
+  }
+
   @Test
   void latchedMessagesAreForThoseWhoComeLater() throws IOException, InterruptedException {
     Heard heard = new Heard();
