@@ -98,6 +98,23 @@ final class BracketAdvice {
     return closer.equals(String.valueOf(open.closer())) ? null : unclosed(around, open);
   }
 
+  /** {@code if (x == 1 echo(x)}, {@code while (x < 3 { … }}, {@code for (var x : list echo(x)}. */
+  static @Nullable Advice condition(Surroundings around) {
+    int at = around.at();
+    OpenBracket open = around.innermost();
+    if (open == null
+        || open.mark() != '('
+        || !WITH_PARENTHESES.contains(around.type(open.token() - 1))
+        || !(SeparatorAdvice.ends(around, at - 1)
+            || around.is(at - 1, UrbiscriptLexer.INCREMENT, UrbiscriptLexer.DECREMENT))
+        || !(SeparatorAdvice.begins(around, at) || around.is(at, UrbiscriptLexer.LBRACE))
+        || WordAdvice.joins(around.text(at))
+        || WordAdvice.joins(around.text(at - 1))) {
+      return null;
+    }
+    return unclosed(around, open);
+  }
+
   /** {@code if x > 1 …}, {@code at () …}. */
   static @Nullable Advice parentheses(Surroundings around) {
     int at = around.at();

@@ -1,5 +1,8 @@
 package org.urbi.lang.advice;
 
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.grammar.Keywords;
@@ -12,6 +15,16 @@ import org.urbi.lang.text.StringDistance;
 /** What is written so in C++, Python or Lua, and otherwise here. */
 final class HabitAdvice {
   private static final String SPELLED_UNITS = "ms|us|ns|s|secs?|seconds?|min|minutes?|h|hours?|d";
+
+  /** What other languages have before functions, and a function that replaces another lacks. */
+  private static final Set<String> NEEDLESS =
+      Set.of("override", "virtual", "final", "abstract", "async");
+
+  /** These words are left out by the scanner. */
+  private static final Pattern ACCESS = Pattern.compile("\\b(public|protected|private)\\s*$");
+
+  /** How far before a place a word is looked for. */
+  private static final int LOOK_BACK = 16;
 
   private HabitAdvice() {}
 
@@ -63,13 +76,26 @@ final class HabitAdvice {
             || around.is(around.statement(open.token()), UrbiscriptLexer.FUNCTION));
   }
 
-  /** {@code class A extends B}, {@code class A(B)}, {@code function A::f()}. */
+  /**
+   * {@code class A extends B}, {@code class A(B)}, {@code function A::f()}, {@code override
+   * function f()}, {@code public:}, {@code import * from a}.
+   */
   static @Nullable Advice declaration(Surroundings around) {
     int at = around.at();
     int first = around.statement(at);
     if (around.is(first, UrbiscriptLexer.CLASS) && around.is(first + 1, UrbiscriptLexer.WORD)) {
       boolean parents = around.is(first + 2, UrbiscriptLexer.LPAREN, UrbiscriptLexer.WORD);
       return parents ? Advice.of(SyntaxHint.PROTOTYPE.text(around.text(first + 1))) : null;
+    }
+    int word = around.is(at, UrbiscriptLexer.FUNCTION) ? at - 1 : at;
+    if (NEEDLESS.contains(around.text(word)) && around.is(word + 1, UrbiscriptLexer.FUNCTION)) {
+      return Advice.of(SyntaxHint.NEEDLESS.text(around.text(word)));
+    }
+    Matcher access = ACCESS.matcher(around.before(at, LOOK_BACK));
+    if (around.is(at, UrbiscriptLexer.COLON) && access.find()) {
+      return Advice.of(SyntaxHint.ACCESS.text(access.group(1)));
+    } else if (around.is(first, UrbiscriptLexer.IMPORT)) {
+      return imported(around);
     }
     boolean joined =
         around.is(at, UrbiscriptLexer.COLON)
@@ -80,7 +106,22 @@ final class HabitAdvice {
         : null;
   }
 
-  /** {@code f"{x}"}, {@code "a" .. "b"}, {@code 500 ms}, {@code {"a" => 1}}. */
+  /** {@code import * from a}, {@code import a from a}, {@code import "a.u"}. */
+  private static @Nullable Advice imported(Surroundings around) {
+    int at = around.at();
+    if (around.is(at, UrbiscriptLexer.STRING)) {
+      return Advice.of(SyntaxHint.INCLUDE.text());
+    }
+    int from = around.text(at).equals("from") ? at : at - 1;
+    return around.text(from).equals("from") && around.is(from + 1, UrbiscriptLexer.WORD)
+        ? Advice.of(SyntaxHint.IMPORTED.text(around.text(from + 1), around.text(from + 1)))
+        : null;
+  }
+
+  /**
+   * {@code f"{x}"}, {@code "a" .. "b"}, {@code 500 ms}, {@code 10 mod 3}, {@code {"a" => 1}},
+   * {@code ["a" => 1, "b"]}, {@code at (e? => x)}.
+   */
   static @Nullable Advice value(Surroundings around) {
     int at = around.at();
     if (around.is(at, UrbiscriptLexer.STRING)
@@ -95,16 +136,34 @@ final class HabitAdvice {
         && around.is(at - 1, UrbiscriptLexer.NUMBER)
         && around.text(at).matches(SPELLED_UNITS)) {
       return Advice.of(SyntaxHint.UNIT_TOUCHES.text());
+    } else if (around.text(at).equals("mod") && SeparatorAdvice.ends(around, at - 1)) {
+      return Advice.of(SyntaxHint.NO_WORD.text("mod", "%"));
+    } else if (around.is(at, UrbiscriptLexer.FAT_ARROW)
+        && around.is(at - 1, UrbiscriptLexer.QUESTION)) {
+      return Advice.of(SyntaxHint.CARRIED.text());
     }
     OpenBracket open = around.innermost();
+    if (open != null && open.mark() == '[' && isMixed(around, open)) {
+      return Advice.of(SyntaxHint.DICTIONARY_PAIRS.text());
+    }
     return around.is(at, UrbiscriptLexer.FAT_ARROW) && open != null && open.mark() == '{'
         ? Advice.of(SyntaxHint.DICTIONARY.text())
         : null;
   }
 
+  /** {@code ["a" => 1, "b"]}, {@code [1, "b" => 2]}. */
+  private static boolean isMixed(Surroundings around, OpenBracket list) {
+    int at = around.at();
+    return around.is(at, UrbiscriptLexer.FAT_ARROW)
+        ? around.holds(list, UrbiscriptLexer.COMMA) && SeparatorAdvice.ends(around, at - 1)
+        : around.is(at, UrbiscriptLexer.RBRACKET, UrbiscriptLexer.COMMA)
+            && around.holds(list, UrbiscriptLexer.FAT_ARROW)
+            && SeparatorAdvice.ends(around, at - 1);
+  }
+
   /**
    * {@code x = 1 if …}, {@code for (…, …, …)}, {@code onleve}, {@code catch (Exception e)}, {@code
-   * assert x}, {@code detach { … }}, {@code case 1: …; break}.
+   * assert x}, {@code detach { … }}, {@code case 1: …; break}, {@code else: …} in a switch.
    */
   static @Nullable Advice statement(Surroundings around) {
     int at = around.at();
@@ -118,11 +177,15 @@ final class HabitAdvice {
     } else if (around.is(at, UrbiscriptLexer.ELSE) && around.is(first, UrbiscriptLexer.AT)) {
       return Advice.of(SyntaxHint.ONLEAVE.text());
     } else if (open != null && open.mark() == '(') {
-      return inParentheses(around, open.token() - 1);
+      return inParentheses(around, open);
     } else if (around.is(at - 1, UrbiscriptLexer.ASSERT)) {
       return Advice.of(SyntaxHint.ARGUMENTS.text("assert", "x == 1"));
     } else if (around.is(at, UrbiscriptLexer.LBRACE) && around.text(at - 1).equals("detach")) {
       return Advice.of(SyntaxHint.ARGUMENTS.text("detach", "{ … }"));
+    } else if (around.is(at, UrbiscriptLexer.ELSE)
+        && around.is(at + 1, UrbiscriptLexer.COLON)
+        && inSwitch(around, open)) {
+      return Advice.of(SyntaxHint.DEFAULT.text());
     } else if (around.is(at, UrbiscriptLexer.BREAK) && inSwitch(around, open)) {
       return Advice.of(SyntaxHint.NO_BREAK.text());
     }
@@ -133,26 +196,69 @@ final class HabitAdvice {
         : null;
   }
 
-  private static @Nullable Advice inParentheses(Surroundings around, int before) {
+  private static @Nullable Advice inParentheses(Surroundings around, OpenBracket open) {
     int at = around.at();
+    int before = open.token() - 1;
     if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.ASSERT)) {
       return Advice.of(SyntaxHint.ASSERT_MESSAGE.text());
-    } else if (around.is(at, UrbiscriptLexer.COMMA) && around.is(before, UrbiscriptLexer.FOR)) {
-      return Advice.of(SyntaxHint.LOOP_PARTS.text());
-    } else if (isElement(around, before)) {
-      return Advice.of(SyntaxHint.LOOP.text());
+    } else if (around.is(before, UrbiscriptLexer.FOR)) {
+      return loop(around, open);
+    } else if (around.is(before, UrbiscriptLexer.WORD)) {
+      return argument(around);
+    } else if (!around.is(before, UrbiscriptLexer.CATCH)) {
+      return null;
     }
-    return around.is(at, UrbiscriptLexer.WORD) && around.is(before, UrbiscriptLexer.CATCH)
+    return around.is(at, UrbiscriptLexer.WORD)
         ? Advice.of(SyntaxHint.CAUGHT.text(around.text(at)))
-        : null;
+        : around.is(at, UrbiscriptLexer.DOT) ? Advice.of(SyntaxHint.CATCH_ALL.text()) : null;
+  }
+
+  /** {@code f(x: 1)}, {@code map((x) { … })}. */
+  private static @Nullable Advice argument(Surroundings around) {
+    int at = around.at();
+    int first = around.statement(at);
+    if (around.is(at, UrbiscriptLexer.COLON)
+        && first == at - 1
+        && around.is(first, UrbiscriptLexer.WORD)) {
+      return Advice.of(SyntaxHint.NAMED_ARGUMENTS.text());
+    }
+    boolean nameless =
+        around.is(at, UrbiscriptLexer.LBRACE)
+            && around.is(at - 1, UrbiscriptLexer.RPAREN)
+            && around.is(first, UrbiscriptLexer.LPAREN);
+    return nameless ? Advice.of(SyntaxHint.LIKE_FUNCTION.text()) : null;
+  }
+
+  /**
+   * {@code for (…, …, …)}, {@code for (var k, v : d)}, {@code for (int i = 0; …)}, {@code for (var
+   * i = 0 i < 3 …)}.
+   */
+  private static @Nullable Advice loop(Surroundings around, OpenBracket open) {
+    int at = around.at();
+    int loop = open.token() - 1;
+    if (around.is(at, UrbiscriptLexer.COMMA)) {
+      int second = around.is(at + 1, UrbiscriptLexer.VAR) ? at + 2 : at + 1;
+      boolean pairs =
+          around.is(second + 1, UrbiscriptLexer.COLON) || around.text(second + 1).equals("in");
+      return Advice.of((pairs ? SyntaxHint.LOOP_PAIRS : SyntaxHint.LOOP_PARTS).text());
+    } else if (around.is(loop + 2, UrbiscriptLexer.WORD)
+        && around.is(loop + 3, UrbiscriptLexer.WORD)
+        && around.is(loop + 4, UrbiscriptLexer.ASSIGN)) {
+      return Advice.of(SyntaxHint.LOOP_COUNTS.text());
+    } else if (around.is(loop + 2, UrbiscriptLexer.VAR)
+        && around.is(loop + 4, UrbiscriptLexer.ASSIGN)
+        && !around.is(at, UrbiscriptLexer.SEMICOLON)
+        && !around.holds(open, UrbiscriptLexer.SEMICOLON)) {
+      return Advice.of(SyntaxHint.LOOP_PARTS.text());
+    }
+    return isElement(around, loop) ? Advice.of(SyntaxHint.LOOP.text()) : null;
   }
 
   /** {@code for (x : list)}, {@code for (Item x : list)}, {@code for (x of list)}. */
   private static boolean isElement(Surroundings around, int loop) {
     boolean twoWords =
         around.is(loop + 2, UrbiscriptLexer.WORD) && around.is(loop + 3, UrbiscriptLexer.WORD);
-    return around.is(loop, UrbiscriptLexer.FOR)
-        && (around.is(around.at(), UrbiscriptLexer.COLON) || twoWords);
+    return around.is(around.at(), UrbiscriptLexer.COLON) || twoWords;
   }
 
   private static boolean inSwitch(Surroundings around, @Nullable OpenBracket open) {

@@ -1,6 +1,7 @@
 package org.urbi.lang.advice;
 
 import java.util.List;
+import java.util.Map;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.grammar.UrbiscriptLexer;
@@ -9,6 +10,19 @@ import org.urbi.lang.source.Span;
 
 /** Separators that are missing, or that are where none may be. */
 final class SeparatorAdvice {
+  /** What is called without parentheses elsewhere, and what that is called here. */
+  private static final Map<String, String> FUNCTIONS =
+      Map.ofEntries(
+          Map.entry("echo", "echo"),
+          Map.entry("print", "echo"),
+          Map.entry("println", "echo"),
+          Map.entry("puts", "echo"),
+          Map.entry("load", "load"),
+          Map.entry("include", "load"),
+          Map.entry("require", "load"),
+          Map.entry("loadModule", "loadModule"),
+          Map.entry("sleep", "sleep"));
+
   private SeparatorAdvice() {}
 
   /** {@code if (…) { … }; else { … }}. */
@@ -35,28 +49,35 @@ final class SeparatorAdvice {
       if (around.is(at - 1, UrbiscriptLexer.RPAREN)) {
         return null;
       }
-      return Advice.of(
-          isCall(around, at)
-              ? SyntaxHint.ARGUMENTS.text(around.text(at - 1), around.text(at))
-              : SyntaxHint.TOGETHER.text());
+      return Advice.of(together(around, at));
     }
     return new Advice(
         SyntaxHint.SEPARATOR.text(),
         List.of(new Note(last(around.span(at - 1)), SyntaxHint.ENDS.text())));
   }
 
-  /** {@code echo "text"}. */
-  private static boolean isCall(Surroundings around, int argument) {
-    return around.is(argument, UrbiscriptLexer.STRING)
-        && around.is(argument - 1, UrbiscriptLexer.WORD)
-        && around.statement(argument) == argument - 1;
+  /** {@code echo "text"}, {@code echo text}, {@code print "text"}, {@code x = 1 y}. */
+  private static String together(Surroundings around, int at) {
+    String word = around.text(at - 1);
+    String argument = around.text(at);
+    String call = FUNCTIONS.get(word);
+    boolean calls = around.is(at - 1, UrbiscriptLexer.WORD) && around.statement(at) == at - 1;
+    if (!calls || call == null && !around.is(at, UrbiscriptLexer.STRING)) {
+      return SyntaxHint.TOGETHER.text();
+    } else if (call != null && !call.equals(word)) {
+      return SyntaxHint.NO_WORD.text(word, call + "(" + argument + ")");
+    }
+    return word.equals("echo") && around.is(at, UrbiscriptLexer.WORD)
+        ? SyntaxHint.VALUE_OR_TEXT.text(word, argument, word, argument)
+        : SyntaxHint.ARGUMENTS.text(word, argument);
   }
 
   private static Span last(Span span) {
     return new Span(span.source(), Math.max(span.begin(), span.end() - 1), span.end());
   }
 
-  private static boolean begins(Surroundings around, int index) {
+  /** Whether a statement or an element may begin so. */
+  static boolean begins(Surroundings around, int index) {
     return around.is(
         index,
         UrbiscriptLexer.WORD,
@@ -87,7 +108,8 @@ final class SeparatorAdvice {
         UrbiscriptLexer.ASSERT);
   }
 
-  private static boolean ends(Surroundings around, int index) {
+  /** Whether a value may end so. */
+  static boolean ends(Surroundings around, int index) {
     return around.is(
         index,
         UrbiscriptLexer.WORD,

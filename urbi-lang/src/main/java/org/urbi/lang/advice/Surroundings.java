@@ -142,6 +142,21 @@ final class Surroundings {
     return suspectCloser;
   }
 
+  /** Whether a bracket has a token of a type before the mistake, not within other brackets. */
+  boolean holds(OpenBracket bracket, int type) {
+    int depth = 0;
+    for (int i = bracket.token() + 1; i < at; i++) {
+      if (is(i, UrbiscriptLexer.LPAREN, UrbiscriptLexer.LBRACKET, UrbiscriptLexer.LBRACE)) {
+        depth++;
+      } else if (is(i, UrbiscriptLexer.RPAREN, UrbiscriptLexer.RBRACKET, UrbiscriptLexer.RBRACE)) {
+        depth--;
+      } else if (depth == 0 && is(i, type)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** The first token of the statement in which a token is. */
   int statement(int index) {
     int first = index;
@@ -164,6 +179,12 @@ final class Surroundings {
   /** The text behind a token; that of the whole source for an index before the first. */
   String behind(int index) {
     return index < 0 ? source.text() : source.text().substring(span(index).end());
+  }
+
+  /** The text before a token, at most so many characters. */
+  String before(int index, int length) {
+    int end = span(index).begin();
+    return source.text().substring(Math.max(0, end - length), end);
   }
 
   /** Whether two tokens stand next to each other, without space. */

@@ -23,6 +23,7 @@ public final class SyntaxAdvice {
           HabitAdvice::name,
           WordAdvice::characters,
           OperatorAdvice::operator,
+          BracketAdvice::condition,
           WordAdvice::keyword,
           BracketAdvice::closer,
           SeparatorAdvice::otherwise,

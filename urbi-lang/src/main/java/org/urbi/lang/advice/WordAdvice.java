@@ -90,6 +90,11 @@ final class WordAdvice {
         : SyntaxHint.LETTER_FIRST;
   }
 
+  /** Whether a word of another language may stand between two values. */
+  static boolean joins(String word) {
+    return WITHIN.contains(word);
+  }
+
   /** {@code functon f(x) …}, {@code elif}, {@code const x = 1}, {@code if (…) then …}. */
   static @Nullable Advice keyword(Surroundings around) {
     int at = around.at();

@@ -30,17 +30,31 @@ public enum SyntaxHint {
   ONLEAVE("what happens when it is over stands behind onleave: at (…) … onleave …"),
   INCLUDE("load(\"file.u\") runs another file"),
   COMMENT("a comment is // to the end of the line, or /* … */"),
+  DEFAULT("all other cases of a switch stand behind `default:'"),
+  NEEDLESS(
+      "`{word}' is no word of urbiscript: without it, the function replaces the inherited one"),
+  ACCESS("whoever has an object can use all of its slots: a class needs no `{word}:'"),
+  IMPORTED("what {name} has is brought here by import {name}.*; files by load(\"file.u\")"),
+  CATCH_ALL("catch { … } catches everything; catch (var e) { … } calls it e"),
+  NAMED_ARGUMENTS(
+      "arguments are given in their order, without names; one that is a function is function (x) { … }"),
+  CARRIED("what an event carries is named in parentheses: at (event?(var x)) …"),
   COMMENTED_OUT("`//' begins a comment, with the `;' that would end the statement"),
 
   // ------------------------------------------------------------------ separators
 
   LOOP_PARTS("the parts of a loop are separated by `;': for (var i = 0; i < 3; i++)"),
+  LOOP_COUNTS("a loop that counts is for (var i = 0; i < 3; i++) …"),
+  LOOP_PAIRS(
+      "a loop has one variable; that over a dictionary has pairs: for (var pair : dictionary) pair[1]"),
   SEPARATOR("`;' is missing at the end of the statement before it"),
   COMMA("elements and arguments are separated by `,'"),
   NO_SEMICOLON(
       "`{closer}' is missing before `;', or `,' was meant, as between elements and arguments"),
   TOGETHER("`;' or an operator is missing before it; a modifier is x = 1 time:2s"),
   ARGUMENTS("arguments stand in parentheses: {word}({argument})"),
+  VALUE_OR_TEXT(
+      "arguments stand in parentheses: {word}({argument}), or {word}(\"{argument}\") for that text"),
   NOTHING("something is missing between the parentheses of `{word}'"),
   ELSE("`else' directly follows its `if (…) …', without a `;' before it"),
   OPERAND("something is missing behind `{operator}'"),
@@ -63,6 +77,7 @@ public enum SyntaxHint {
   ASSIGNMENT("a value is given by `='"),
   DIFFERENT("`!=' asks whether two values are different"),
   DICTIONARY("a dictionary is [\"key\" => value]"),
+  DICTIONARY_PAIRS("all elements of a dictionary have a key and a value: [\"a\" => 1, \"b\" => 2]"),
   FORMAT("values are put into a string by `%': \"%s is %s\" % [name, value]"),
   CONCATENATION("strings are joined by `+'; a slot stands behind one dot"),
   UNIT_TOUCHES("a duration is one word: 500ms, 1.5s, 2min"),
