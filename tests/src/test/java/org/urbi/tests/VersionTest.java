@@ -2,6 +2,8 @@ package org.urbi.tests;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
@@ -60,6 +62,21 @@ class VersionTest {
         "release-notes: CHANGELOG.md has no version 0.0.1\n",
         new String(unknown.getInputStream().readAllBytes(), UTF_8));
     assertEquals(1, unknown.waitFor());
+  }
+
+  /**
+   * Notes that cannot be written, since the disk is full or a pipe has no reader, are not missing
+   * ones.
+   */
+  @Test
+  void notesThatCannotBeWrittenAreNotCalledMissing() throws Exception {
+    Process full =
+        new ProcessBuilder(
+                "sh", "-c", "../scripts/release-notes " + Version.number() + " >/dev/full")
+            .start();
+    String said = new String(full.getErrorStream().readAllBytes(), UTF_8);
+    assertFalse(said.contains("has no version"), said);
+    assertNotEquals(0, full.waitFor());
   }
 
   @Test
