@@ -39,6 +39,7 @@ class VariableViewTest {
         class Global.Robot { var legs = 2; function walk() { 1 } }|;
         var Global.robot = Robot.new|; var Global.robot.name = "ro\\"by"|;
         var Global.list = [1, "two", [3, [4, [5]]]]|;
+        var Global.one = ["a" => 1]|; var Global.two = ["a" => 1, "b" => 2]|;
         var Global.image = Binary.new("rgb 1 1", "abc")|; var Global.data = Binary.new("", "abc")|;
         """);
     SlotRow robot = owner.slot("Global", "robot");
@@ -46,6 +47,8 @@ class VariableViewTest {
     assertTrue(
         owner.last.variables().roots().contains("Global"), owner.last.variables().toString());
     assertEquals("[1, \"two\", [3, […]]]", owner.slot("Global", "list").value());
+    assertEquals("[1 entry]", owner.slot("Global", "one").value());
+    assertEquals("[2 entries]", owner.slot("Global", "two").value());
     assertEquals("rgb 1 1, 3 bytes", owner.slot("Global", "image").value());
     assertEquals("3 bytes", owner.slot("Global", "data").value());
     assertFalse(owner.slots.containsKey("Float"), "what the system has put there");

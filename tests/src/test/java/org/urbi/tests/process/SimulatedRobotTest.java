@@ -105,18 +105,22 @@ class SimulatedRobotTest {
             + frame
             + ".offsetHeight";
     browser.await("the whole page on a telephone", whole, "true"::equals);
-    browser.becomeScreen(2560, 1440);
     String seen =
         """
         const page = %s.contentDocument;
         const world = page.querySelector('#world').getBoundingClientRect();
-        const { bottom, right } = page.querySelector('#drives').getBoundingClientRect();
+        const drives = page.querySelector('#drives');
+        const { bottom, right } = drives.getBoundingClientRect();
         const { clientWidth, clientHeight } = page.documentElement;
         return world.width > clientWidth / 2 && world.bottom <= clientHeight
-            && right > clientWidth - 50 && bottom <= clientHeight;
+            && right > clientWidth - 50 && bottom <= clientHeight
+            && drives.scrollHeight <= drives.clientHeight;
         """
             .formatted(frame);
+    browser.becomeScreen(1920, 1080);
     browser.await("a large screen filled, and nothing out of sight", seen, "true"::equals);
+    browser.becomeScreen(2560, 1440);
+    browser.await("a larger one, too", seen, "true"::equals);
     browser.becomeUsual();
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     browser.await("the room of the jobs", "return !!" + frame, "false"::equals);

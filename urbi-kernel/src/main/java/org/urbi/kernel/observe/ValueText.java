@@ -44,13 +44,17 @@ final class ValueText {
           Utf8Text.toJava(StringEscape.quote(text.part(0, Math.min(LONGEST, text.length()))));
       case UrbiList list -> elements("[", list.elements(), "]", depth);
       case UrbiTuple tuple -> elements("(", tuple.elements(), ")", depth);
-      case UrbiDictionary dictionary -> "[" + dictionary.entries().size() + " entries]";
+      case UrbiDictionary dictionary -> entries(dictionary.entries().size());
       case UrbiBinary binary ->
           (binary.keywords().isBlank() ? "" : binary.keywords() + ", ")
               + binary.data().length()
               + " bytes";
       default -> type(value);
     };
+  }
+
+  private static String entries(int count) {
+    return count == 1 ? "[1 entry]" : "[" + count + " entries]";
   }
 
   private static String elements(
