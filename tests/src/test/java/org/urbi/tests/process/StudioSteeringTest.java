@@ -43,6 +43,7 @@ class StudioSteeringTest {
       seesWhatJobsCost(browser);
       seesWhoWakes(browser);
       freezes(browser, page.urbi());
+      buttonsStayWhileFactsChange(browser, page.urbi());
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
     }
   }
@@ -109,5 +110,25 @@ class StudioSteeringTest {
     urbi.awaitText("[true, 1]");
     browser.await("what it costs again", cell("busy", ".share span"), text -> percent(text) > 50);
     browser.await("the first button again", facts, text -> text.contains("Freeze"));
+  }
+
+  /** A click is a press and a release: what is told meanwhile must not take the button away. */
+  private static void buttonsStayWhileFactsChange(Browser browser, JavaProcess urbi)
+      throws Exception {
+    browser.evaluate(StudioPage.row("beating") + ".click()");
+    String facts = "document.querySelector('#job .facts')?.textContent";
+    browser.await("how long it waits", "return " + facts, text -> text.contains("s more"));
+    String tag = "document.querySelector('[data-tag=beating]')";
+    browser.evaluate(
+        """
+        window.pressed = [document.querySelector('#job button'), %s.querySelector('.danger')];
+        window.told = %s;
+        """
+            .formatted(tag, facts));
+    urbi.send("beating: sleep(1h),\n");
+    browser.await("another count", "return " + tag + ".textContent", t -> t.contains("2 jobs"));
+    browser.await("other facts", "return " + facts + " !== window.told", "true"::equals);
+    String stay = "return window.pressed.every(button => button.isConnected)";
+    assertEquals("true", browser.evaluate(stay));
   }
 }

@@ -1,5 +1,5 @@
 // Beside the list: the selected job with its calls, and the tags.
-import { make, put } from "./elements.js";
+import { Items, make, put, set } from "./elements.js";
 import { Jobs } from "./jobs.js";
 
 const MOST_TAGS = 200;
@@ -7,11 +7,12 @@ const MOST_TAGS = 200;
 export class Side {
   constructor(detail, tags, jobs, { steer, filter, mayChange }) {
     this.detail = detail;
-    this.tags = tags;
     this.jobs = jobs;
     this.steer = steer;
     this.filter = filter;
     this.mayChange = mayChange;
+    const newItem = ({ hint }) => make("li", "", { className: hint ? "hint" : "" });
+    this.tagItems = new Items(tags, (tag) => tag.number, newItem, (item, tag) => this.fillTag(item, tag));
   }
 
   button(text, action, kind, target, label, danger) {
@@ -44,7 +45,8 @@ export class Side {
       ["lobby", job.lobby],
       ["tags", this.jobs.tagNames(job).join(", ") || "none"],
     ];
-    put(this.detail, [facts, own?.calls, this.mayChange(), job.frozen], () => {
+    // Facts change all the time: the buttons stay for that, as they are for who has begun to press one.
+    put(this.detail, [number, this.mayChange(), job.frozen], () => {
       const buttons = make("div", "", { className: "buttons" });
       buttons.append(
         this.button("Stop", "stop", "job", number, `Stop ${job.name}`, true),
@@ -52,18 +54,19 @@ export class Side {
           ? this.button("Unfreeze", "unfreeze", "job", number, `Let ${job.name} go on`)
           : this.button("Freeze", "freeze", "job", number, `Suspend ${job.name}`),
       );
-      const list = make("dl", "", { className: "facts" });
-      for (const [name, value] of facts) list.append(make("dt", name), make("dd", value));
-      const calls = make("ol", "", { className: "calls" });
-      for (const call of own?.calls ?? []) {
-        const item = make("li");
-        const where = make("div", "", { className: "where" });
-        where.append(make("span", call.place || "not in a file"), make("span", call.name));
-        item.append(where, make("pre", call.line));
-        calls.append(item);
-      }
-      return [buttons, list, calls];
+      return [buttons, make("dl", "", { className: "facts" }), make("ol", "", { className: "calls" })];
     });
+    const [, list, calls] = this.detail.children;
+    put(list, facts, () => facts.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
+    put(calls, own?.calls ?? [], () => (own?.calls ?? []).map((call) => this.call(call)));
+  }
+
+  call({ place, name, line }) {
+    const item = make("li");
+    const where = make("div", "", { className: "where" });
+    where.append(make("span", place || "not in a file"), make("span", name));
+    item.append(where, make("pre", line));
+    return item;
   }
 
   showTags() {
@@ -71,25 +74,29 @@ export class Side {
     for (const job of this.jobs.rows.values()) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
     const all = [...this.jobs.tags.values()].sort((a, b) => a.number - b.number);
     const shown = all.slice(0, MOST_TAGS).map((tag) => ({ ...tag, jobs: count.get(tag.number) ?? 0 }));
-    put(this.tags, [shown, all.length, this.mayChange()], () => {
-      const items = shown.map((tag) => this.tagItem(tag));
-      if (all.length > MOST_TAGS) items.push(make("li", `and ${all.length - MOST_TAGS} more`, { className: "hint" }));
-      return items.length ? items : [make("li", "No code is under a tag.", { className: "hint" })];
-    });
+    if (all.length > MOST_TAGS) shown.push({ number: "more", hint: `and ${all.length - MOST_TAGS} more` });
+    this.tagItems.show(shown.length ? shown : [{ number: "none", hint: "No code is under a tag." }]);
   }
 
-  tagItem(tag) {
-    const item = make("li");
+  fillTag(item, tag) {
+    if (tag.hint) {
+      set(item, tag.hint);
+      return;
+    }
     item.dataset.tag = tag.name;
+    put(item, [tag.name, tag.frozen, tag.blocked, this.mayChange()], () => this.tagParts(tag));
+    set(item.querySelector(".of"), tag.jobs ? `${tag.jobs} ${tag.jobs === 1 ? "job" : "jobs"}` : "");
+  }
+
+  tagParts(tag) {
     const name = make("button", tag.name, { type: "button", className: "tagname", title: `Show the jobs under ${tag.name}` });
     name.dataset.act = `show ${tag.number}`;
     name.addEventListener("click", () => this.filter(tag.name));
-    item.append(name);
-    for (const state of ["frozen", "blocked"]) {
-      if (tag[state]) item.append(make("span", state, { className: "badge" }));
-    }
-    item.append(
-      make("span", tag.jobs ? `${tag.jobs} ${tag.jobs === 1 ? "job" : "jobs"}` : "", { className: "of" }),
+    const states = ["frozen", "blocked"].filter((state) => tag[state]);
+    return [
+      name,
+      ...states.map((state) => make("span", state, { className: "badge" })),
+      make("span", "", { className: "of" }),
       this.button("Stop", "stop", "tag", tag.number, `Stop the tag ${tag.name}`, true),
       tag.frozen
         ? this.button("Unfreeze", "unfreeze", "tag", tag.number, `Unfreeze the tag ${tag.name}`)
@@ -97,7 +104,6 @@ export class Side {
       tag.blocked
         ? this.button("Unblock", "unblock", "tag", tag.number, `Unblock the tag ${tag.name}`)
         : this.button("Block", "block", "tag", tag.number, `Block the tag ${tag.name}`, true),
-    );
-    return item;
+    ];
   }
 }
