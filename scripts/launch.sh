@@ -37,7 +37,7 @@ fi
 
 # A server has periods to keep beside clients who fill its memory, so it collects garbage in small pieces. For that
 # it needs room: with less than 200 MB it would do nothing else. Its regions are larger than it would choose: a job
-# whose stack is larger than half of one (some thousand calls, interpreted; more, compiled) cannot wait.
+# whose stack is larger than half of one (some thousand calls, interpreted; more, compiled) keeps a thread when it waits.
 collector=
 little=
 for word in ${URBI_JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-}; do

@@ -43,6 +43,11 @@ public final class KernelThreadPin {
     unpin();
   }
 
+  /** Whether a job can be pinned. */
+  static boolean isAvailable() {
+    return PIN != null && UNPIN != null;
+  }
+
   /** Pins the running job to the kernel thread. */
   public static void pin() {
     if (PIN != null) {

@@ -48,6 +48,7 @@ public final class Scheduler {
   private final JobThread.Factory threads;
   private final RunQueue runnable;
   private final Newcomers newcomers;
+  private final Rounds rounds;
   private final JobList jobs = new JobList();
   private final TagScope rootScope = new TagScope();
   private final Stops stops = new Stops(this);
@@ -102,6 +103,7 @@ public final class Scheduler {
     this.memory = new MemoryWait(this.threads::allocatedBytes);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
     this.newcomers = new Newcomers(runnable);
+    this.rounds = new Rounds(this, runnable, newcomers);
     this.uncaught = uncaught;
     inbox.register(Message.JOBS, this.threads::take);
   }
@@ -401,23 +403,28 @@ public final class Scheduler {
   // ------------------------------------------------------------------ the loop
 
   /**
-   * Starts the kernel thread.
+   * Starts the kernel thread. Another thread takes its place while it is kept by a job whose stack
+   * cannot be put away.
    *
-   * @param whenEnded its last action; called with the failure that ended the loop, or null
+   * @param whenEnded the last action of the loop; called with the failure that ended it, or null
+   * @return the thread on which the loop begins
    */
   public Thread startLoop(Consumer<Throwable> whenEnded) {
-    return threads.startLoop(() -> {
-      loop = Thread.currentThread();
-      Throwable wrong = null;
-      try {
-        loop();
-      } catch (Throwable failure) {
-        wrong = failure;
-        report(null, failure);
-      } finally {
-        whenEnded.accept(wrong);
-      }
-    });
+    return threads.startLoop(() -> runLoop(whenEnded));
+  }
+
+  private void runLoop(Consumer<Throwable> whenEnded) {
+    loop = Thread.currentThread();
+    Throwable wrong = null;
+    try {
+      loop();
+    } catch (LoopMoved moved) {
+      return;
+    } catch (Throwable failure) {
+      wrong = failure;
+      report(null, failure);
+    }
+    whenEnded.accept(wrong);
   }
 
   /** Whether the loop has ended. */
@@ -437,6 +444,11 @@ public final class Scheduler {
     stopped = true;
   }
 
+  /** Whether it is about to end. */
+  boolean isStopped() {
+    return stopped;
+  }
+
   /**
    * Does something at the end of this tick; on the kernel thread. If there is no memory for it, it
    * is done again at the end of the next tick.
@@ -446,10 +458,11 @@ public final class Scheduler {
   }
 
   private void loop() {
-    while (!stopped) {
+    while (!stopped || rounds.areUnderWay()) {
       try {
         tick();
       } catch (OutOfMemoryError e) {
+        rounds.giveUp();
         running = null;
         memory.await();
         report(null, e);
@@ -459,8 +472,8 @@ public final class Scheduler {
       job.terminate();
     }
     // Exceptions end the jobs; code that continues all the same is abandoned.
-    for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
-      runOnce(true);
+    for (int round = 0; round < LAST_ROUNDS && !runnable.isEmpty(); round++) {
+      rounds.runLast();
     }
     meter.turnOf(null);
     threads.loopEnded();
@@ -470,10 +483,20 @@ public final class Scheduler {
   }
 
   private void tick() {
+    if (rounds.areUnderWay() || beginTick()) {
+      rounds.run();
+      runEndOfTick();
+      inbox.pollIfDue(time.now());
+      time.endTick();
+    }
+  }
+
+  /** Returns whether there is somebody to run. */
+  private boolean beginTick() {
     time.beginTick();
     if (journal.isOver()) {
       stop();
-      return;
+      return false;
     }
     long now = time.now();
     yields.beginTick(now);
@@ -498,14 +521,11 @@ public final class Scheduler {
           time.idle(inbox);
         }
       }
-      return;
+      return false;
     }
     time.countTick();
-    runOnce(false);
-    runBehind();
-    runEndOfTick();
-    inbox.pollIfDue(time.now());
-    time.endTick();
+    rounds.begin();
+    return true;
   }
 
   private boolean mayIdle() {
@@ -535,21 +555,9 @@ public final class Scheduler {
     } while (failed);
   }
 
-  private void runOnce(boolean last) {
-    newcomers.beginRound();
-    runnable.beginRound(last);
-    Job job;
-    while ((last || !stopped) && (job = runnable.next()) != null) {
-      beginTurnOf(job);
-      job.resume();
-      newcomers.joinRound();
-    }
+  /** Nobody's turn begins. */
+  void endTurn() {
     running = null;
-    beginTurn();
-    endTurn();
-  }
-
-  private void endTurn() {
     if (turnMeter != null) {
       turnMeter.turnOf(null);
     }
@@ -558,7 +566,7 @@ public final class Scheduler {
   /**
    * At no time the turn seems to be that of another job, which other threads would blame for it.
    */
-  private void beginTurnOf(Job job) {
+  void beginTurnOf(Job job) {
     running = null;
     VarHandle.storeStoreFence();
     beginTurn();
@@ -569,19 +577,6 @@ public final class Scheduler {
     if (turnMeter != null) {
       turnMeter.turnOf(job);
     }
-  }
-
-  private void runBehind() {
-    Job job;
-    for (int left = newcomers.behind();
-        left > 0 && !stopped && (job = newcomers.pollBehind()) != null;
-        left--) {
-      beginTurnOf(job);
-      job.resume();
-      newcomers.joinQueue();
-    }
-    running = null;
-    endTurn();
   }
 
   private void runEndOfTick() {

@@ -5,7 +5,10 @@ import static java.util.Objects.requireNonNull;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -26,6 +29,12 @@ final class TickLoopThread implements JobThread, Executor {
   /** What executes the virtual threads of the program. */
   private static final @Nullable Executor OTHERS = findOthers();
 
+  /**
+   * To try in vain whether a stack can be put away takes a walk through all of it, so the next try
+   * comes after so many times the time that the last one has taken.
+   */
+  private static final int PAUSES = 4;
+
   private final Factory factory;
   private final Job job;
   private final Thread thread;
@@ -36,6 +45,18 @@ final class TickLoopThread implements JobThread, Executor {
 
   /** Whether the loop is about to get the continuation because it asked for it. */
   private boolean handing;
+
+  /** The thread that runs the continuation, or has run it last. */
+  private @Nullable Thread carrier;
+
+  /** Whether it has kept that thread, because its stack could not be put away. */
+  private boolean keeping;
+
+  /** Then whether it has been lent the turn. */
+  private volatile boolean lent;
+
+  /** When it is tried again to put its stack away, in nanoseconds of the machine. */
+  private long nextTry;
 
   private TickLoopThread(Factory factory, Job job) {
     this.factory = factory;
@@ -97,7 +118,7 @@ final class TickLoopThread implements JobThread, Executor {
       // this scheduler. The common pool is no place for it. That has one thread on two processors,
       // which a task there blocks that waits for a lock; if this thread has the lock, for ever.
       requireNonNull(OTHERS, "the factory has looked").execute(task);
-    } else if (handing && Thread.currentThread() == factory.loop) {
+    } else if (handing && Thread.currentThread() == carrier) {
       handing = false;
       continuation = task;
     } else {
@@ -117,21 +138,43 @@ final class TickLoopThread implements JobThread, Executor {
 
   @Override
   public void resume() {
+    if (keeping) {
+      lendTurn();
+    } else {
+      runHere();
+    }
+    if (!keeping && continuation == null && job.state() != JobState.ENDED) {
+      // It waits in Java. That takes real time, which simulated time must not outrun.
+      job.scheduler().pace().begin();
+    }
+  }
+
+  private void runHere() {
+    carrier = Thread.currentThread();
     resumed = true;
     if (!started) {
       started = true;
       handing = true;
       thread.start();
     }
-    Runnable next = continuation;
+    Runnable next = requireNonNull(continuation, "it can run");
     continuation = null;
-    if (next != null) {
-      next.run();
-      if (continuation == null && job.state() != JobState.ENDED) {
-        // That takes real time, which simulated time must not outrun.
-        job.scheduler().pace().begin();
-      }
+    next.run();
+    if (!factory.threads.isLoop()) {
+      // The job had kept this thread, and the loop goes on elsewhere.
+      endKeeping();
+      factory.threads.leaveKept();
+      throw new LoopMoved();
     }
+  }
+
+  private void lendTurn() {
+    factory.threads.lend(requireNonNull(carrier, "it has kept it"), this::goOn);
+  }
+
+  private void goOn() {
+    lent = true;
+    LockSupport.unpark(thread);
   }
 
   @Override
@@ -139,13 +182,75 @@ final class TickLoopThread implements JobThread, Executor {
     if (factory.ended) {
       throw TagStop.WHOLE_JOB;
     }
+    if (keeping && job.scheduler().machine().now() - nextTry < 0) {
+      stay();
+      return;
+    }
+    long begun = keeping ? job.scheduler().machine().now() : 0;
     resumed = false;
     handing = true;
-    // Hands the continuation to execute(), and returns when the loop has run it again.
-    Thread.yield();
+    try {
+      // Hands the continuation to execute(), and returns when the loop has run it again.
+      Thread.yield();
+    } catch (StackOverflowError e) {
+      handing = false;
+      refused(begun, e);
+      return;
+    }
     if (!resumed) {
       handing = false;
       throw new IllegalStateException("a job cannot wait inside a native call");
+    }
+  }
+
+  /** The stack is too large to be put away: with G1, larger than half of a region of the heap. */
+  private void refused(long begun, StackOverflowError refusal) {
+    long now = job.scheduler().machine().now();
+    if (keeping) {
+      nextTry = now + PAUSES * (now - begun);
+      stay();
+      return;
+    }
+    nextTry = now;
+    lent = false;
+    keeping = true;
+    factory.keepers.add(this);
+    if (job.scheduler().isStopped() || !KernelThreadPin.isAvailable() || !factory.threads.keep()) {
+      endKeeping();
+      throw refusal;
+    }
+    awaitTurn();
+  }
+
+  private void endKeeping() {
+    keeping = false;
+    factory.keepers.remove(this);
+  }
+
+  private void stay() {
+    lent = false;
+    factory.threads.giveBack();
+    awaitTurn();
+  }
+
+  /** Others have the turn, so nothing may be touched that they touch. */
+  private void awaitTurn() {
+    boolean interrupted = false;
+    KernelThreadPin.pin();
+    try {
+      while (!lent) {
+        LockSupport.park(this);
+        // Parking would not wait any more.
+        interrupted |= Thread.interrupted();
+      }
+    } finally {
+      KernelThreadPin.unpin();
+    }
+    if (interrupted) {
+      thread.interrupt();
+    }
+    if (factory.ended) {
+      throw TagStop.WHOLE_JOB;
     }
   }
 
@@ -180,7 +285,11 @@ final class TickLoopThread implements JobThread, Executor {
     /** The threads whose wait in Java is over, by the numbers of their jobs. */
     private final Map<Long, TickLoopThread> awakened = new ConcurrentHashMap<>();
 
-    private volatile @Nullable Thread loop;
+    private final LoopThreads threads = new LoopThreads(body -> newThread(body, "urbi-kernel"));
+
+    /** Those that have kept their threads; for whoever has the turn. */
+    private final Set<TickLoopThread> keepers = new HashSet<>();
+
     private volatile boolean ended;
     private @Nullable Executor late;
     private final Runnable runningLate = this::runLate;
@@ -223,16 +332,10 @@ final class TickLoopThread implements JobThread, Executor {
 
     @Override
     public Thread startLoop(Runnable body) {
-      Thread thread =
-          newThread(
-              () -> {
-                loadWhatEnds();
-                body.run();
-              },
-              "urbi-kernel");
-      loop = thread;
-      thread.start();
-      return thread;
+      return threads.start(() -> {
+        loadWhatEnds();
+        body.run();
+      });
     }
 
     /** To be called from any thread; must neither wait for a lock nor load a class. */
@@ -276,6 +379,7 @@ final class TickLoopThread implements JobThread, Executor {
       if (!awakened.isEmpty()) {
         executor.execute(runningLate);
       }
+      List.copyOf(keepers).forEach(keeper -> executor.execute(keeper::lendTurn));
     }
 
     private Executor lateThread() {
@@ -301,14 +405,12 @@ final class TickLoopThread implements JobThread, Executor {
 
     @Override
     public long processorTime() {
-      Thread thread = loop;
-      return thread == null ? HoldWatchdog.UNKNOWN : ThreadCosts.processorTime(thread);
+      return threads.processorTime();
     }
 
     @Override
     public long allocatedBytes() {
-      Thread thread = loop;
-      return thread == null ? 0 : ThreadCosts.allocatedBytes(thread);
+      return threads.allocatedBytes();
     }
 
     @Override

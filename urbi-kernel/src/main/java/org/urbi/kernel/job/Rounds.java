@@ -1,0 +1,104 @@
+package org.urbi.kernel.job;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The turns of the jobs within a tick: first of all that can run, then of those that run behind
+ * them. How far it has got is kept here, for the thread that goes on if the one that has begun is
+ * kept by a job.
+ */
+final class Rounds {
+  private enum Stage {
+    /** No tick has begun. */
+    NONE,
+    /** All that can run have their turns. */
+    ALL,
+    /** Those behind them have. */
+    BEHIND
+  }
+
+  private final Scheduler scheduler;
+  private final RunQueue runnable;
+  private final Newcomers newcomers;
+  private Stage stage = Stage.NONE;
+
+  /** How many of those that run behind the others are left. */
+  private int behind;
+
+  Rounds(Scheduler scheduler, RunQueue runnable, Newcomers newcomers) {
+    this.scheduler = scheduler;
+    this.runnable = runnable;
+    this.newcomers = newcomers;
+  }
+
+  /** Whether those of a tick have begun, and not ended. */
+  boolean areUnderWay() {
+    return stage != Stage.NONE;
+  }
+
+  /** Those of a tick begin. */
+  void begin() {
+    stage = Stage.ALL;
+    beginRound(false);
+  }
+
+  private void beginRound(boolean last) {
+    newcomers.beginRound();
+    runnable.beginRound(last);
+  }
+
+  /** What is left of them will have its turn in the next tick. */
+  void giveUp() {
+    stage = Stage.NONE;
+  }
+
+  /** Runs them, or what is left of them. */
+  void run() {
+    if (stage == Stage.ALL) {
+      runAll(false);
+      behind = newcomers.behind();
+      stage = Stage.BEHIND;
+    }
+    runBehind();
+    stage = Stage.NONE;
+  }
+
+  /** Runs each job once that can run, although the loop has been stopped. */
+  void runLast() {
+    beginRound(true);
+    runAll(true);
+  }
+
+  private void runAll(boolean last) {
+    newcomers.joinRound();
+    Job job;
+    while ((last || !scheduler.isStopped()) && (job = runnable.next()) != null) {
+      runTurn(job);
+      newcomers.joinRound();
+    }
+    scheduler.endTurn();
+    scheduler.beginTurn();
+  }
+
+  private void runBehind() {
+    newcomers.joinQueue();
+    for (Job job = nextBehind(); job != null; job = nextBehind()) {
+      runTurn(job);
+      newcomers.joinQueue();
+    }
+    scheduler.endTurn();
+  }
+
+  private @Nullable Job nextBehind() {
+    if (behind == 0 || scheduler.isStopped()) {
+      return null;
+    }
+    behind--;
+    return newcomers.pollBehind();
+  }
+
+  private void runTurn(Job job) {
+    scheduler.beginTurnOf(job);
+    job.resume();
+  }
+}
