@@ -52,6 +52,20 @@ final class ErrorAdvice {
 
   private static final Pattern SUFFIX = Pattern.compile("\\.u\\b");
 
+  /** {@code e!}, {@code e?}, of what should be an event. */
+  private static final Pattern AS_EVENT = Pattern.compile("\\s*(!(?!=)|\\?)");
+
+  private static final String OF_TAGS = "stop|freeze|unfreeze|block|unblock";
+
+  /** {@code t.stop}, of what should be a tag. */
+  private static final Pattern AS_TAG = Pattern.compile("\\s*\\.\\s*(" + OF_TAGS + ")\\b");
+
+  /** {@code a.b.f(…)}: what was asked for {@code f}. */
+  private static final Pattern RECEIVER =
+      Pattern.compile("((?:\\w+\\.)+)\\w+\\s*(?:\\(.*)?", Pattern.DOTALL);
+
+  private static final Pattern DURATION = Pattern.compile("[0-9.]+(d|h|min|s|ms|us|ns)");
+
   private static final Pattern LOOPED = Pattern.compile("\\s+in\\b");
 
   private final Interpreter interpreter;
@@ -98,8 +112,12 @@ final class ErrorAdvice {
   }
 
   private @Nullable String lookup(String name, @Nullable UrbiObject asked) {
-    String meant = ForeignNames.meant(name, asked == null ? "" : typeName(asked));
-    if (meant != null) {
+    String type = asked == null ? "" : typeName(asked);
+    String ofType = ForeignNames.meant(name, type);
+    String meant = ForeignNames.meant(name);
+    if (ofType != null) {
+      return Hint.FOREIGN_SLOT.text(type, name, ofType);
+    } else if (meant != null) {
       return Hint.FOREIGN_NAME.text(name, meant);
     } else if (asked == null) {
       return null;
@@ -114,7 +132,7 @@ final class ErrorAdvice {
     } else if (isOfSession(name, asked)) {
       return Hint.OF_SESSION.text(name, name);
     } else if (follows(ASSIGNED)) {
-      return isWhole(SLOT) ? Hint.UNDECLARED_SLOT.text(spanText()) : Hint.UNDECLARED.text(name);
+      return undeclared(name, asked);
     } else if (follows(LOOPED) && precedes(LOOP)) {
       return Hint.FOR_IN.text(name);
     } else if (precedes(CATCH)) {
@@ -132,13 +150,38 @@ final class ErrorAdvice {
       if (!lower.equals(name) && slot(lobby, lower) != null) {
         return Hint.LETTER_CASE.text(lower);
       }
-      return !name.isEmpty() && Character.isUpperCase(name.charAt(0))
-          ? Hint.UNKNOWN_CLASS.text(name)
-          : (isCall(name) ? Hint.UNKNOWN_FUNCTION : Hint.UNKNOWN_NAME).text(name, name);
+      return unknown(name);
     }
     return name.equals("emit")
         ? Hint.NO_EVENT.text()
         : name.equals("stop") ? Hint.NO_TAG_TO_STOP.text() : askedOf(name, asked);
+  }
+
+  /** A name that gets a value without having been declared. */
+  private String undeclared(String name, UrbiObject asked) {
+    if (isWhole(SLOT)) {
+      String owner = spanText().substring(0, spanText().length() - name.length() - 1);
+      return asked instanceof UrbiDictionary
+          ? Hint.DICTIONARY_SET.text(owner, name)
+          : Hint.UNDECLARED_SLOT.text(spanText());
+    }
+    return asked instanceof UrbiLobby
+        ? Hint.UNDECLARED.text(name)
+        : Hint.UNDECLARED_THERE.text(name, name);
+  }
+
+  /** A name that the session lacks. */
+  private String unknown(String name) {
+    if (follows(AS_EVENT)) {
+      return Hint.UNDECLARED_EVENT.text(name, name);
+    } else if (follows(AS_TAG)) {
+      return Hint.UNDECLARED_TAG.text(name, name, name);
+    } else if (name.matches(OF_TAGS)) {
+      return Hint.TAG_FUNCTION.text(name, name);
+    }
+    return !name.isEmpty() && Character.isUpperCase(name.charAt(0))
+        ? Hint.UNKNOWN_CLASS.text(name)
+        : (isCall(name) ? Hint.UNKNOWN_FUNCTION : Hint.UNKNOWN_NAME).text(name, name);
   }
 
   private @Nullable String askedOf(String name, UrbiObject asked) {
@@ -216,7 +259,7 @@ final class ErrorAdvice {
     if (routine.equals("print")) {
       return Hint.SHOW.text();
     }
-    UrbiObject called = slot(lobby, routine);
+    UrbiObject called = called(routine);
     if (called instanceof UrbiEvent) {
       return Hint.EMIT.text(routine);
     }
@@ -237,11 +280,34 @@ final class ErrorAdvice {
       return Hint.CALLED_BY_NAME.text(routine);
     }
     if (slot("maximum") instanceof UrbiFloat most && most.value() == 0) {
-      return Hint.NO_ARGUMENTS.text(routine);
+      return called != null && typeName(called).equals(routine)
+          ? made(called, routine)
+          : Hint.NO_ARGUMENTS.text(routine);
+    } else if (called instanceof Function function) {
+      return Hint.PARAMETERS.text(routine, function.parameters());
     }
-    return called instanceof Function function
-        ? Hint.PARAMETERS.text(routine, function.parameters())
-        : null;
+    return spanText().endsWith(routine) ? Hint.WITHOUT_ARGUMENTS.text(routine) : null;
+  }
+
+  /** {@code Exception("…")}. */
+  private String made(UrbiObject called, String name) {
+    return called == interpreter.values().floatProto
+        ? Hint.TO_NUMBER.text()
+        : called == interpreter.values().stringProto
+            ? Hint.TO_STRING.text()
+            : Hint.NEW.text(name, name);
+  }
+
+  /** What was called, as far as the slots of what plain names stand for tell; null if unknown. */
+  private @Nullable UrbiObject called(String routine) {
+    Matcher receiver = RECEIVER.matcher(spanText());
+    UrbiObject object = lobby;
+    if (receiver.matches()) {
+      for (String name : receiver.group(1).split("\\.")) {
+        object = object == null ? null : slot(object, name);
+      }
+    }
+    return object == null ? null : slot(object, routine);
   }
 
   /** What a class of the session that was to be cloned wants to know. */
@@ -260,15 +326,19 @@ final class ErrorAdvice {
     boolean adds = routine.equals("append") || routine.equals("+=");
     return adds && expected == interpreter.values().listProto
         ? Hint.ADD_ELEMENT.text(routine)
-        : type(effective, expected);
+        : routine.equals("echo") && expected == interpreter.values().stringProto
+            ? Hint.ONE_VALUE.text()
+            : type(effective, expected);
   }
 
   private @Nullable String type(@Nullable UrbiObject effective, @Nullable UrbiObject expected) {
     if (expected == null || effective == null) {
       return null;
     }
-    if (expected == interpreter.values().floatProto && effective instanceof UrbiString) {
-      return Hint.TO_NUMBER.text();
+    if (expected == interpreter.values().floatProto && effective instanceof UrbiString text) {
+      return DURATION.matcher(text.value()).matches()
+          ? Hint.DURATION.text(text.value())
+          : Hint.TO_NUMBER.text();
     } else if (expected == interpreter.values().stringProto) {
       return Hint.TO_STRING.text();
     }

@@ -31,6 +31,9 @@ final class ForeignNames {
           Map.entry("parseInt", "asFloat"),
           Map.entry("parseFloat", "asFloat"),
           Map.entry("tonumber", "asFloat"),
+          Map.entry("asInt", "asFloat"),
+          Map.entry("toInt", "asFloat"),
+          Map.entry("asInteger", "asFloat"),
           Map.entry("require", "load(\"file.u\")"),
           Map.entry("include", "load(\"file.u\")"),
           Map.entry("wait", "sleep(1s)"),
@@ -77,7 +80,9 @@ final class ForeignNames {
               "forEach", "each",
               "reduce", "foldl",
               "sorted", "sort",
-              "get", "list[index]"),
+              "get", "list[index]",
+              "first", "list.front",
+              "last", "list.back"),
           "Dictionary",
           Map.of(
               "contains", "key in dictionary",
@@ -90,20 +95,38 @@ final class ForeignNames {
           Map.of(
               "on", "at (event?) …",
               "addListener", "at (event?) …",
-              "connect", "at (event?) …"),
+              "connect", "at (event?) …",
+              "fire", "event!(value)",
+              "raise", "event!(value)",
+              "notify", "event!(value)",
+              "send", "event!(value)"),
+          "Tag",
+          Map.ofEntries(
+              Map.entry("kill", "tag.stop"),
+              Map.entry("cancel", "tag.stop"),
+              Map.entry("end", "tag.stop"),
+              Map.entry("pause", "tag.freeze"),
+              Map.entry("suspend", "tag.freeze"),
+              Map.entry("resume", "tag.unfreeze"),
+              Map.entry("start", "tag: { … }"),
+              Map.entry("begin", "tag: { … }"),
+              Map.entry("run", "tag: { … }")),
+          "Float",
+          Map.of("asInt", "trunc", "toInt", "trunc", "asInteger", "trunc"),
+          "System",
+          Map.of("out", "echo(value)"),
           "Math",
           Map.of("floor", "number.floor", "ceil", "number.ceil"));
 
   private ForeignNames() {}
 
-  /**
-   * What urbiscript has instead of what is called so elsewhere, or null.
-   *
-   * @param type what was asked for it; empty if that is not known
-   */
+  /** What urbiscript has instead of what is called so elsewhere, whatever was asked, or null. */
+  static @Nullable String meant(String name) {
+    return ANYWHERE.get(name);
+  }
+
+  /** What a type has instead of what is called so elsewhere, or null. */
   static @Nullable String meant(String name, String type) {
-    Map<String, String> ofType = BY_TYPE.getOrDefault(type, Map.of());
-    String meant = ofType.get(name);
-    return meant == null ? ANYWHERE.get(name) : meant;
+    return BY_TYPE.getOrDefault(type, Map.of()).get(name);
   }
 }

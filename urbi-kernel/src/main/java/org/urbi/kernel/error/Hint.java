@@ -8,8 +8,17 @@ import org.urbi.lang.problem.Template;
  */
 public enum Hint {
   FOREIGN_NAME("`{name}' is no name of urbiscript; it has `{meant}'"),
+  FOREIGN_SLOT("{type} has no `{name}'; it has `{meant}'"),
   SINGLE_QUOTES("single quotes stand around names, double quotes around strings"),
   UNDECLARED("a new variable is declared by var: var {name} = …"),
+  UNDECLARED_THERE(
+      "a slot of the object is declared by var this.{name} = …, a variable by var {name} = …"),
+  DICTIONARY_SET("a key gets a value in brackets: {dictionary}[\"{name}\"] = …"),
+  UNDECLARED_EVENT("nothing is called `{name}' here: var {name} = Event.new declares an event"),
+  UNDECLARED_TAG(
+      "nothing is called `{name}' here: var {name} = Tag.new| {name}: { … } gives code that tag"),
+  TAG_FUNCTION(
+      "`{name}' is asked of a tag: t.{name}, where the code is t: { … }; break ends a loop"),
   UNDECLARED_SLOT("a new slot is declared by var: var {slot} = …"),
   LETTER_CASE("upper and lower case differ: here it is `{name}'"),
   DICTIONARY_KEY("the value of a key is read in brackets: dictionary[\"{name}\"]"),
@@ -43,6 +52,8 @@ public enum Hint {
       "{slot}'n is the place of {slot} in its range: first set {slot}->rangemin and {slot}->rangemax"),
   PRIME(
       "a single quote asks the value before it for a slot of that name; strings stand in double quotes"),
+  NEW("`{name}' is a class: {name}.new(…) makes an object of it"),
+  WITHOUT_ARGUMENTS("a name alone calls, and without arguments: {name}(…) gives it some"),
   INIT("`new' gives its arguments to `init' of {name}, which takes ({parameters})"),
   NO_INIT("`new' gives its arguments to `init', which {name} lacks: function init(…) { … }"),
   COMPARES("what sorts is asked of two elements: list.sort(function (a, b) { a > b })"),
@@ -55,6 +66,9 @@ public enum Hint {
   ADD_ELEMENT("`<<' adds one element; `{routine}' adds those of a list"),
   NO_ARGUMENTS("`{name}' takes no arguments: without parentheses it gives its value"),
   SHOW("echo(value) shows a value"),
+  DURATION("a duration has no quotes: {value}"),
+  ONE_VALUE("echo shows one value; `%' makes one string of several: echo(\"%s %s\" % [a, b])"),
+  CLASS_CALLED("`{name}()' is the class itself: {name}.new makes an object of it"),
   TO_NUMBER("asFloat makes a number of a string: \"12\".asFloat"),
   TO_STRING("asString makes a string of any value"),
   NO_TAG("`tag: code' gives code a tag; a dictionary is [\"key\" => value]"),

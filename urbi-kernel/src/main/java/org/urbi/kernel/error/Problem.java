@@ -83,7 +83,10 @@ public enum Problem {
       BAD_NUMBER, "bad numeric conversion: overflow or non empty fractional part: {value}"),
   VOID_ARGUMENT(PRIMITIVE, "unexpected void"),
   WITHOUT_THIS(PRIMITIVE, "argument list must begin with `this'"),
-  INDEX(PRIMITIVE, "invalid index: {index}", "the first has the index 0, the last -1"),
+  INDEX(
+      PRIMITIVE,
+      "invalid index: {index}",
+      "the first has the index 0, the last of a list -1; list << value makes it longer"),
   ASSERTION_FAILED(ASSERTION, "failed assertion: {claim}"),
   ASSERTION_FAILED_WITH(
       ASSERTION, "failed assertion: {claim} ({values})", "the values are in parentheses"),

@@ -1,23 +1,47 @@
 package org.urbi.kernel.lobby;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Hint;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.lang.advice.Note;
+import org.urbi.lang.advice.SuspectCode;
 import org.urbi.lang.ast.Ast;
 
 /**
- * Code that would silently wait or be left out, for a tag is frozen or blocked, or would not wait
- * for an event, as far as a look at the slots of the lobby tells: no code runs for that.
+ * Code that would silently wait or be left out, for a tag is frozen or blocked, would not wait for
+ * an event, or would take a class for an object of it, as far as a look at the slots of the lobby
+ * tells: no code runs for that.
  */
 final class SuspectStatements {
   private SuspectStatements() {}
 
   /** What there is to say about a statement that is about to be run. */
   static List<Note> in(Ast statement, UrbiLobby lobby) {
+    List<Note> found = new ArrayList<>(waiting(statement, lobby));
+    for (Ast.Message call : SuspectCode.emptyCalls(statement)) {
+      if (isClass(call.name(), lobby)) {
+        found.add(new Note(call.span(), Hint.CLASS_CALLED.text(call.name(), call.name())));
+      }
+    }
+    return found;
+  }
+
+  /** Whether a slot of the lobby is a class, by the name that it has given itself. */
+  private static boolean isClass(String name, UrbiLobby lobby) {
+    UrbiObject value = lobby.lookup(lobby.world().symbol(name));
+    return value != null
+        && !(value instanceof Code)
+        && value.lookup(lobby.world().symbol("type")) instanceof UrbiString type
+        && type.value().equals(name);
+  }
+
+  private static List<Note> waiting(Ast statement, UrbiLobby lobby) {
     if (statement instanceof Ast.Tagged tagged) {
       return entered(tagged.tag(), lobby);
     }

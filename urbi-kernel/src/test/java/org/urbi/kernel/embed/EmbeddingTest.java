@@ -185,7 +185,10 @@ class EmbeddingTest {
   @Test
   void errorsHaveHints() {
     assertEquals(Optional.of("a double quote ends it"), hint("var s = \"abc"));
-    assertEquals(Optional.of("the first has the index 0, the last -1"), hint("[1, 2][2]"));
+    assertEquals(
+        Optional.of(
+            "the first has the index 0, the last of a list -1; list << value makes it longer"),
+        hint("[1, 2][2]"));
     assertEquals(Optional.of("a recursion does not end"), hint("function f() { f() }; f()"));
     assertEquals(Optional.empty(), hint("throw 42"));
     assertEquals(Optional.empty(), hint("nameOfNothing"));

@@ -19,6 +19,12 @@ public final class SuspectCode {
   private static final Pattern SIGN = Pattern.compile("\\s*(?<operator>=(?<sign>[-+]))\\s");
   private static final Set<String> VALUES = Set.of("true", "false", "nil", "void");
 
+  /** The motions that go on for ever. */
+  private static final Set<String> ENDLESS = Set.of("sin", "cos");
+
+  /** <code>${name}</code>. */
+  private static final Pattern INTERPOLATED = Pattern.compile("\\$\\{(\\w+)\\}");
+
   private SuspectCode() {}
 
   /**
@@ -40,6 +46,11 @@ public final class SuspectCode {
             value(assignment, found);
           } else if (each instanceof Ast.Declaration declaration) {
             value(declaration, found);
+          } else if (each instanceof Ast.Message call
+              && call.target() == null
+              && call.name().equals("echo")
+              && call.arguments() != null) {
+            call.arguments().forEach(shown -> interpolated(shown, found));
           }
         });
     return found;
@@ -66,11 +77,29 @@ public final class SuspectCode {
     return code instanceof Ast.Message name && name.target() == null && name.arguments() == null;
   }
 
-  /** {@code every (1s) …;} keeps the input that follows waiting. */
+  /** <code>echo("${name}")</code>, also where strings are joined. */
+  private static void interpolated(Ast shown, List<Note> found) {
+    if (shown instanceof Ast.Message sum && sum.name().equals("+") && sum.arguments() != null) {
+      if (sum.target() != null) {
+        interpolated(sum.target(), found);
+      }
+      sum.arguments().forEach(part -> interpolated(part, found));
+    } else if (shown instanceof Ast.StringLiteral text) {
+      Matcher place = INTERPOLATED.matcher(text.value());
+      if (place.find()) {
+        found.add(
+            new Note(text.span(), SyntaxHint.INTERPOLATED.text(place.group(), place.group(1))));
+      }
+    }
+  }
+
+  /** {@code every (1s) …;}, {@code x = 0 sin:2s;} keep the input that follows waiting. */
   private static boolean isEndless(Ast statement) {
     boolean loops =
         statement instanceof Ast.Every
             || statement instanceof Ast.Loop
+            || statement instanceof Ast.Trajectory motion
+                && motion.modifiers().stream().anyMatch(each -> ENDLESS.contains(each.name()))
             || statement instanceof Ast.Tagged tagged && isEndless(tagged.body());
     if (!loops) {
       return false;
@@ -123,6 +152,22 @@ public final class SuspectCode {
     if (declaration.target() == null && VALUES.contains(declaration.name())) {
       found.add(new Note(declaration.nameSpan(), SyntaxHint.VALUE.text(declaration.name())));
     }
+  }
+
+  /** The calls of names with empty parentheses in a statement: {@code Tag()}. */
+  public static List<Ast.Message> emptyCalls(Ast statement) {
+    List<Ast.Message> found = new ArrayList<>();
+    walk(
+        statement,
+        each -> {
+          if (each instanceof Ast.Message call
+              && call.target() == null
+              && call.arguments() != null
+              && call.arguments().isEmpty()) {
+            found.add(call);
+          }
+        });
+    return found;
   }
 
   /** Shows a tree and all that is in it, in the order of the text; it may be very deep. */

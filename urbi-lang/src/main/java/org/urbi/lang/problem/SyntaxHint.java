@@ -98,6 +98,7 @@ public enum SyntaxHint {
   COMPOSED(
       "`&' and `|' put statements together; conditions are joined by && and ||, bits by bitand"),
   ENDLESS("this does not end, and what is typed next waits for it: `,' at its end does not wait"),
+  INTERPOLATED("`{text}' stays as it is in a string: \"it is %s\" % [{name}] puts in the value"),
   ONE_BY_ONE(
       "`{name},' is a statement of its own: names get their values one by one, x = 1; y = 2"),
 
