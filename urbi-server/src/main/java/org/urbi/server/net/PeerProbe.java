@@ -83,15 +83,18 @@ final class PeerProbe {
     if (!isRunning) {
       return;
     }
+    boolean holds = holds();
     hasGone = hasGone || isGone();
-    if (!hasGone) {
-      pause = ask() ? ANSWER_MILLISECONDS : Math.min(2 * pause, LONGEST_MILLISECONDS);
-    } else if (holds()) {
+    if (hasGone && holds) {
       isRunning = false;
       channel.close();
       return;
+    }
+    if (!hasGone && ask()) {
+      pause = ANSWER_MILLISECONDS;
     } else {
-      pause = HOLD_MILLISECONDS;
+      // Others wait for who holds the kernel, and perhaps for this look.
+      pause = hasGone || holds ? HOLD_MILLISECONDS : Math.min(2 * pause, LONGEST_MILLISECONDS);
     }
     next();
   }
