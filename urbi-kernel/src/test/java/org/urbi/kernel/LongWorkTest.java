@@ -123,6 +123,7 @@ class LongWorkTest {
         "(l * 100).max",
         "(l * 100).keys",
         "(l * 100).reverse",
+        "[0] * 2000000",
         "(l * 100).range(0, 900000)",
         "(l * 100).hasSame(void.acceptVoid)",
         "1000000.seq",

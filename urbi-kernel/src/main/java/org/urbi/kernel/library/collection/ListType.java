@@ -31,6 +31,9 @@ import org.urbi.kernel.object.Values;
     doc = "An ordered sequence of any objects.",
     needs = Permission.NOTHING)
 final class ListType {
+  /** How many elements are copied between two looks whether the job is to end. */
+  private static final int PIECE = 1 << 16;
+
   private ListType() {}
 
   private static Values values(Frame caller) {
@@ -288,9 +291,18 @@ final class ListType {
   static List<UrbiObject> multiply(Frame caller, CallSite site, UrbiList self, UrbiFloat n) {
     List<UrbiObject> elements = self.elements();
     int count = Counting.ofLists(caller, site, 1, n, elements.size());
-    List<UrbiObject> product = new ArrayList<>(count * elements.size());
-    for (int i = 0; i < count && !elements.isEmpty(); i++) {
+    int size = elements.size();
+    int all = count * size;
+    List<UrbiObject> product = new ArrayList<>(all);
+    if (all > 0) {
       product.addAll(elements);
+    }
+    while (product.size() < all) {
+      int done = product.size();
+      int begin = done % size;
+      int more = Math.min(Math.min(done - begin, all - done), PIECE);
+      caller.job().worked(more);
+      product.addAll(product.subList(begin, begin + more));
     }
     return product;
   }
