@@ -27,7 +27,6 @@ public final class Evaluation {
   /**
    * Evaluates a whole text on a target.
    *
-   * @param site where it is called; null when Java code does
    * @param site the call that wants it evaluated; null when Java does
    * @param file the name by which errors call it, or null
    * @return the value of its last statement
