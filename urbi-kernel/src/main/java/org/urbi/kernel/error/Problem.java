@@ -192,7 +192,9 @@ public enum Problem {
   // ------------------------------------------------------------------ files and streams
 
   NO_FILE(
-      FILE_NOT_FOUND, "file not found: {name}", "System.searchPath says where it is looked for"),
+      FILE_NOT_FOUND,
+      "file not found: {name}",
+      "it is looked for in System.searchPath, a module in UObject.searchPath"),
   AT_PATH(PRIMITIVE, "{reason}: {path}", "a relative path begins at Directory.current"),
   NO_SUCH_FILE(PART, "no such file or directory"),
   FILE_MISSING(PART, "file does not exist"),
