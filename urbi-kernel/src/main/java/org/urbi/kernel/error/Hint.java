@@ -68,6 +68,7 @@ public enum Hint {
   SHOW("echo(value) shows a value"),
   DURATION("a duration has no quotes: {value}"),
   ONE_VALUE("echo shows one value; `%' makes one string of several: echo(\"%s %s\" % [a, b])"),
+  NIL("`null' is the channel that shows nothing; what stands for no value is nil"),
   CLASS_CALLED("`{name}()' is the class itself: {name}.new makes an object of it"),
   TO_NUMBER("asFloat makes a number of a string: \"12\".asFloat"),
   TO_STRING("asString makes a string of any value"),

@@ -15,8 +15,8 @@ import org.urbi.lang.ast.Ast;
 
 /**
  * Code that would silently wait or be left out, for a tag is frozen or blocked, would not wait for
- * an event, or would take a class for an object of it, as far as a look at the slots of the lobby
- * tells: no code runs for that.
+ * an event, or would take a class for an object of it or a channel for nothing, as far as a look at
+ * the slots of the lobby tells: no code runs for that.
  */
 final class SuspectStatements {
   private SuspectStatements() {}
@@ -25,20 +25,26 @@ final class SuspectStatements {
   static List<Note> in(Ast statement, UrbiLobby lobby) {
     List<Note> found = new ArrayList<>(waiting(statement, lobby));
     for (Ast.Message call : SuspectCode.emptyCalls(statement)) {
-      if (isClass(call.name(), lobby)) {
+      if (call.name().equals(type(call.name(), lobby))) {
         found.add(new Note(call.span(), Hint.CLASS_CALLED.text(call.name(), call.name())));
+      }
+    }
+    for (Ast.Message use : SuspectCode.uses(statement, "null")) {
+      if ("Channel".equals(type("null", lobby))) {
+        found.add(new Note(use.span(), Hint.NIL.text()));
       }
     }
     return found;
   }
 
-  /** Whether a slot of the lobby is a class, by the name that it has given itself. */
-  private static boolean isClass(String name, UrbiLobby lobby) {
+  /** The name that what a slot of the lobby holds has for its class; null if it has none. */
+  private static @Nullable String type(String name, UrbiLobby lobby) {
     UrbiObject value = lobby.lookup(lobby.world().symbol(name));
     return value != null
-        && !(value instanceof Code)
-        && value.lookup(lobby.world().symbol("type")) instanceof UrbiString type
-        && type.value().equals(name);
+            && !(value instanceof Code)
+            && value.lookup(lobby.world().symbol("type")) instanceof UrbiString type
+        ? type.value()
+        : null;
   }
 
   private static List<Note> waiting(Ast statement, UrbiLobby lobby) {

@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -156,15 +157,24 @@ public final class SuspectCode {
 
   /** The calls of names with empty parentheses in a statement: {@code Tag()}. */
   public static List<Ast.Message> emptyCalls(Ast statement) {
+    return messages(statement, call -> call.arguments() != null && call.arguments().isEmpty());
+  }
+
+  /** Where a name stands alone in a statement. */
+  public static List<Ast.Message> uses(Ast statement, String name) {
+    return messages(statement, use -> use.arguments() == null && use.name().equals(name));
+  }
+
+  /** What is asked of nobody in particular in a statement, and is so. */
+  private static List<Ast.Message> messages(Ast statement, Predicate<Ast.Message> isSo) {
     List<Ast.Message> found = new ArrayList<>();
     walk(
         statement,
         each -> {
-          if (each instanceof Ast.Message call
-              && call.target() == null
-              && call.arguments() != null
-              && call.arguments().isEmpty()) {
-            found.add(call);
+          if (each instanceof Ast.Message message
+              && message.target() == null
+              && isSo.test(message)) {
+            found.add(message);
           }
         });
     return found;
