@@ -55,7 +55,11 @@ if [ "$main" = org.urbi.server.cli.UrbiCommand ] && [ -z "$little" ]; then
   done
 fi
 . "$root/scripts/flags.sh"
-class_path "$root/$dist"
+if [ -n "${URBI_SHOW_COMMAND:-}" ] || [ "$dist" != dist ]; then
+  class_path "$root/$dist"
+else
+  class_path_of_package "$root/$dist"
+fi
 # Java takes the classes from the start-up cache without a look at the jars. One that was put there since has others.
 cache=$root/$dist/urbi.aot
 for jar in "$root/$dist"/lib/*.jar; do

@@ -8,9 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.outside.ChildProcess;
@@ -144,8 +146,27 @@ final class IsolatedProcess implements ModuleProcess {
     }
   }
 
+  /**
+   * A part of the class path, by a name that another process knows, too: a package names its jars
+   * by a descriptor that this one has (scripts/flags.sh).
+   */
+  private static String known(String jar) {
+    if (!jar.startsWith("/proc/self/")) {
+      return jar;
+    }
+    try {
+      return Path.of(jar).toRealPath().toString();
+    } catch (IOException e) {
+      return jar; // Not there: the process tells what it lacks.
+    }
+  }
+
   private List<String> command(int port) {
-    String classes = System.getProperty("java.class.path");
+    String[] jars = System.getProperty("java.class.path").split(File.pathSeparator);
+    String classes =
+        Arrays.stream(jars)
+            .map(IsolatedProcess::known)
+            .collect(Collectors.joining(File.pathSeparator));
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(JvmFlags.inherited());
@@ -155,8 +176,7 @@ final class IsolatedProcess implements ModuleProcess {
             "-XX:-CreateCoredumpOnCrash",
             "-XX:ErrorLogTimeout=5",
             "-XX:ErrorFile=/dev/null"));
-    Path cache =
-        Path.of(classes.split(File.pathSeparator)[0]).resolveSibling("../urbi.aot").normalize();
+    Path cache = Path.of(known(jars[0])).resolveSibling("../urbi.aot").normalize();
     if (JvmFlags.haveCache() && Files.isRegularFile(cache)) {
       command.add("-XX:AOTCache=" + cache);
     }
