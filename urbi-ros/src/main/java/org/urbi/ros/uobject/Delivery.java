@@ -2,6 +2,7 @@ package org.urbi.ros.uobject;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,6 +12,9 @@ import org.jspecify.annotations.Nullable;
 final class Delivery<T> {
   /** So many wait where all are wanted, and with them whoever sends more. */
   private static final int MOST = 1000;
+
+  /** So many the kernel takes at once: what else it has to do has its turn then. */
+  private static final int TURN = 100;
 
   private final Deque<T> waiting = new ArrayDeque<>();
   private final Runnable call;
@@ -68,8 +72,32 @@ final class Delivery<T> {
     }
   }
 
-  /** The next one for the kernel, which calls it until there is none (null). */
-  synchronized @Nullable T next() {
+  /**
+   * Hands what waits to the kernel, which calls this. What is too much for a turn, and what comes
+   * after one that the taker cannot bear, has another call.
+   *
+   * @return whether that was all
+   */
+  boolean take(Consumer<? super T> taker) {
+    boolean finished = false;
+    try {
+      for (int taken = 0; taken < TURN && !finished; taken++) {
+        T next = next();
+        if (next == null) {
+          finished = true;
+        } else {
+          taker.accept(next);
+        }
+      }
+    } finally {
+      if (!finished) {
+        call.run();
+      }
+    }
+    return finished;
+  }
+
+  private synchronized @Nullable T next() {
     T next = waiting.pollFirst();
     if (next == null) {
       called = false;

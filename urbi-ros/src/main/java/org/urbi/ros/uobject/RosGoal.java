@@ -97,15 +97,17 @@ public final class RosGoal extends UObject implements MessageReceiver, AutoClose
   @Override
   public void take() {
     RosAction of = action;
-    for (UDictionary next = delivery.next(); next != null; next = delivery.next()) {
-      feedback.setValue(next);
-      onFeedback.emit(next);
-      if (of != null) {
-        of.emit(next);
-      }
-    }
+    boolean isAll =
+        delivery.take(next -> {
+          feedback.setValue(next);
+          onFeedback.emit(next);
+          if (of != null) {
+            of.emit(next);
+          }
+        });
     String now = latest;
-    if (!now.equals(status.stringValue())) {
+    // The end is told after the last feedback.
+    if (isAll && !now.equals(status.stringValue())) {
       status.setValue(now);
     }
   }

@@ -123,9 +123,7 @@ public final class RosInput extends UObject implements MessageReceiver, AutoClos
   @Override
   public void take() {
     Delivery<UValue> fields = requireNonNull(delivery, "nothing comes before there is one");
-    for (UValue next = fields.next(); next != null; next = fields.next()) {
-      onValue.emit(next);
-    }
+    fields.take(onValue::emit);
   }
 
   /** Ends listening. */

@@ -306,11 +306,11 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   @Override
   public void take() {
-    for (UDictionary next = delivery.next(); next != null; next = delivery.next()) {
+    delivery.take(next -> {
       UValue message = new UValue(next);
       last.setValue(message);
       onMessage.emit(message);
-    }
+    });
   }
 
   /** Ends listening. */
