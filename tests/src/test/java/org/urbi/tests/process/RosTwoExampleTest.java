@@ -6,23 +6,25 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.tests.process.JavaProcess.Setting;
 
-/** {@code examples/ros}, with a node of rclpy. */
+/** {@code examples/ros}, with nodes of rclpy of two distributions. */
 class RosTwoExampleTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
-  private static final Path PYTHON = ROOT.resolve(".build/ros-peers/kilted/bin/python");
 
   /** The suites of urbi-ros use lower domains, and the pages those between. */
   private static final String DOMAIN = "100";
 
   @TempDir static Path folder;
 
-  @Test
-  void aNodeDrivesTheSimulatedRobot() throws Exception {
-    assumeTrue(Files.exists(PYTHON), "no ROS 2 for the test: scripts/ros-peers.sh gets it");
+  @ParameterizedTest
+  @ValueSource(strings = {"kilted", "jazzy"})
+  void aNodeDrivesTheSimulatedRobot(String peers) throws Exception {
+    Path python = ROOT.resolve(".build/ros-peers/" + peers + "/bin/python");
+    assumeTrue(Files.exists(python), "no ROS 2 for the test: scripts/ros-peers.sh gets it");
     RosExamplesTest.makeModules(folder);
     Setting root =
         Setting.in(ROOT).with("URBI_UOBJECT_PATH", folder.toString()).with("ROS_DOMAIN_ID", DOMAIN);
@@ -31,7 +33,7 @@ class RosTwoExampleTest {
             root, RosExamplesTest.URBI, List.of("-q", "-i", "examples/ros/robot.u"))) {
       urbi.awaitText("The robot is there");
       ProcessBuilder builder =
-          new ProcessBuilder(PYTHON.toString(), "examples/ros/drive_ros2.py")
+          new ProcessBuilder(python.toString(), "examples/ros/drive_ros2.py")
               .directory(ROOT.toFile())
               .redirectErrorStream(true);
       builder.environment().put("ROS_DOMAIN_ID", DOMAIN);
