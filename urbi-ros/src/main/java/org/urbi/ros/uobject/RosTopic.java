@@ -35,6 +35,7 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   private static final CompletableFuture<Void> DONE = CompletableFuture.completedFuture(null);
 
   private final UEvent onMessage = new UEvent();
+  private final UEvent onDeadline = new UEvent();
   private final UEvent onConnect = new UEvent();
   private final UEvent onDisconnect = new UEvent();
   private final UVar last = new UVar();
@@ -47,6 +48,10 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   private volatile String topic = "";
   private volatile @Nullable MessageType type;
   private volatile @Nullable Subscription subscription;
+
+  /** That of the subscription. */
+  private @Nullable Deadline deadline;
+
   private volatile @Nullable Publisher publisher;
 
   /** What a job waits for that subscribes or advertises; one of {@link #begin}. */
@@ -57,6 +62,7 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
   public RosTopic(String name) {
     super(name);
     UBindEvent(onMessage, "onMessage");
+    UBindEvent(onDeadline, "onDeadline");
     UBindEvent(onConnect, "onConnect");
     UBindEvent(onDisconnect, "onDisconnect");
     UBindVars(last, "last", depth, "depth", latch, "latch", qos, "qos");
@@ -251,14 +257,17 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
       CompletableFuture<Void> job) {
     checkWanted(job);
     delivery.begin(wanted.depth());
-    Subscription made = known.subscribe(topic, wantedType, wanted, listener(typed));
+    Deadline limit = new Deadline(wanted.deadline(), onDeadline::emit);
+    Subscription made = known.subscribe(topic, wantedType, wanted, listener(typed, limit));
     synchronized (this) {
       if (!job.isDone()) {
         subscription = made;
+        deadline = limit;
         return;
       }
     }
     made.close();
+    limit.end();
     throw unwanted();
   }
 
@@ -280,10 +289,11 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
             }));
   }
 
-  private Subscription.Listener listener(CompletableFuture<Void> typed) {
+  private Subscription.Listener listener(CompletableFuture<Void> typed, Deadline limit) {
     return new Subscription.Listener() {
       @Override
       public void received(UDictionary message) {
+        limit.heard();
         delivery.offer(message);
       }
 
@@ -322,13 +332,17 @@ public final class RosTopic extends UObject implements MessageReceiver, AutoClos
 
   private boolean endHearing() {
     Subscription present;
+    Deadline limit;
     synchronized (this) {
       present = subscription;
       subscription = null;
+      limit = deadline;
+      deadline = null;
     }
-    if (present == null) {
+    if (present == null || limit == null) {
       return false;
     }
+    limit.end();
     delivery.end();
     present.close();
     return true;

@@ -55,6 +55,7 @@ class EitherTest extends ScriptsFixture {
           "there is no service /no_such: Ros.services has all",
           "[\"nanosec\" => 0, \"sec\" => 0]",
           "[\"nanosec\" => 500, \"sec\" => 12]",
+          "nothing more in time",
           "true",
           "/increment",
           "true",
