@@ -45,9 +45,13 @@ class DeepStacksTest {
 
   /** A client whose code is deep down by now. */
   private ConsoleClient deep(String code) throws Exception {
+    return deep(50_000, code);
+  }
+
+  private ConsoleClient deep(int calls, String code) throws Exception {
     ConsoleClient client = server.connect();
     assertEquals(List.of(), client.answers(DEEP));
-    client.send("t: deep(50000, closure() { Global.there = true| " + code + " });\n");
+    client.send("t: deep(" + calls + ", closure() { Global.there = true| " + code + " });\n");
     assertEquals(List.of(), other.answers(WHEN_THERE));
     return client;
   }
@@ -125,5 +129,26 @@ class DeepStacksTest {
       client.close();
     }
     isStoppedByAnother("sleep(1000s)");
+  }
+
+  /**
+   * A thread that waits with that many calls would make each collection of garbage long for all.
+   */
+  @Test
+  void evenDeeperCodeIsToldThatItCannotWait() throws Exception {
+    isRefused(100_000, "sleep(1000s)");
+    isRefused(100_000, "Semaphore.new(0).acquire");
+    // This wait does not tell in how many calls it is.
+    isRefused(100_000, "{ var x = 0| x = 1 time:1000s }");
+    // What has waited in fewer has a thread already.
+    isRefused(50_000, "sleep(1ms)| deep(50000, closure() { sleep(1000s) })");
+    isRefused(50_000, "sleep(1ms)| deep(50000, closure() { var x = 0| x = 1 time:1000s })");
+    isStoppedByAnother("deep(50000, closure() {})| sleep(1000s)");
+  }
+
+  private void isRefused(int calls, String code) throws Exception {
+    try (ConsoleClient client = deep(calls, code)) {
+      assertTrue(client.answers("").getFirst().endsWith("!!! stack space exhausted"), code);
+    }
   }
 }

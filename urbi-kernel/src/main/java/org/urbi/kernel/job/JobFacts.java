@@ -10,6 +10,9 @@ import org.urbi.kernel.trust.Role;
  * job itself, and no object beside it, because each switch notes something here.
  */
 abstract sealed class JobFacts permits Job {
+  /** Jobs in more nested calls than that tell so. */
+  public static final int DEEP = 60_000;
+
   final Scheduler scheduler;
   final OnBehalf onBehalf;
 
@@ -22,6 +25,7 @@ abstract sealed class JobFacts permits Job {
   private final long number;
   private final long starter;
   private boolean daemon;
+  private int deepest;
 
   Wait wait = Wait.TURN;
   @Nullable Place place;
@@ -102,6 +106,32 @@ abstract sealed class JobFacts permits Job {
   }
 
   // ------------------------------------------------------------------ where it stands
+
+  /** It is in that many nested calls; to be told of each beyond {@link #DEEP}. */
+  public void noteCalls(int nested) {
+    deepest = Math.max(deepest, nested);
+    // It may have said where it is, and then not let others run.
+    place = null;
+    where = null;
+  }
+
+  /** Its stack has been put away, so it is in few calls now. */
+  void forgetCalls() {
+    if (deepest != 0) {
+      deepest = 0;
+    }
+  }
+
+  /**
+   * How many nested calls it is in, as it lets others run, at most: where nobody has said where it
+   * is, it may have left the deepest of them.
+   */
+  int calls() {
+    if (place != null) {
+      deepest = place.depth();
+    }
+    return deepest;
+  }
 
   /** What it waits for. */
   public Wait waitsFor() {

@@ -7,4 +7,7 @@ import org.urbi.kernel.error.UrbiException;
 public interface Place {
   /** The calls that lead to the code, innermost first. */
   List<UrbiException.Call> backtrace();
+
+  /** How many calls those are. */
+  int depth();
 }

@@ -182,7 +182,7 @@ final class TickLoopThread implements JobThread, Executor {
     if (factory.ended) {
       throw TagStop.WHOLE_JOB;
     }
-    if (keeping && job.scheduler().machine().now() - nextTry < 0) {
+    if (keeping && job.calls() <= Job.DEEP && job.scheduler().machine().now() - nextTry < 0) {
       stay();
       return;
     }
@@ -197,15 +197,22 @@ final class TickLoopThread implements JobThread, Executor {
       refused(begun, e);
       return;
     }
+    job.forgetCalls();
     if (!resumed) {
       handing = false;
       throw new IllegalStateException("a job cannot wait inside a native call");
     }
   }
 
-  /** The stack is too large to be put away: with G1, larger than half of a region of the heap. */
+  /**
+   * The stack is too large to be put away: with G1, larger than half of a region of the heap. In
+   * very many calls it keeps no thread, whose stack each collection of garbage would look through.
+   */
   private void refused(long begun, StackOverflowError refusal) {
     long now = job.scheduler().machine().now();
+    if (job.calls() > Job.DEEP) {
+      throw refusal;
+    }
     if (keeping) {
       nextTry = now + PAUSES * (now - begun);
       stay();

@@ -101,6 +101,11 @@ public final class Frame implements Place {
     this.activation = activation == null ? this : activation;
   }
 
+  @Override
+  public int depth() {
+    return depth;
+  }
+
   /** The frame of code at the top level of a lobby, or called from Java. */
   public static Frame top(Interpreter interpreter, Job job, UrbiObject self, FrameLayout layout) {
     return outsideOfScopes(

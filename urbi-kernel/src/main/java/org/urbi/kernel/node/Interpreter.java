@@ -72,7 +72,7 @@ public final class Interpreter {
   private int maximumDepth;
 
   /**
-   * The depth up to which a call needs no check: the maximum depth, or -1 while some code must be
+   * The depth up to which a call needs no check: the lowest limit, or -1 while some code must be
    * interrupted. So endless recursion can be interrupted at no extra cost.
    */
   private volatile int callLimit;
@@ -150,7 +150,9 @@ public final class Interpreter {
   /** Synchronized because several threads call it: the last one must see the changes of all. */
   private synchronized void setCallLimit() {
     callLimit =
-        scheduler.interruptions().arePending() ? -1 : (int) Math.min(maximumDepth, lowestDepth);
+        scheduler.interruptions().arePending()
+            ? -1
+            : (int) Math.min(Math.min(maximumDepth, Job.DEEP), lowestDepth);
   }
 
   /** The checks at the start of each function call. */
@@ -160,6 +162,7 @@ public final class Interpreter {
       if (depth > maximumDepth || !job.budget().allows(Resource.DEPTH, depth)) {
         throw errors.scheduling(Problem.STACK_EXHAUSTED);
       }
+      job.noteCalls(depth);
     }
   }
 
