@@ -44,16 +44,19 @@ function say(state, text) {
   byId("connection").textContent = text;
 }
 
-// How much faster than the clock on the wall the simulation goes, over the last seconds. The first moment of which a page is told
-// may be the last one that somebody else has seen, long ago.
-function showTime(time) {
+// How much faster than the clock on the wall the simulation goes, over the last seconds in which nobody halted it or gave it another
+// speed. The first moment of which a page is told may be the last one that somebody else has seen, long ago.
+function showTime({ time, paused, speed }) {
   const now = performance.now() / 1000;
-  byId("time").textContent = `${time.toFixed(1)} s`;
+  // Who halts a world goes on in steps of milliseconds.
+  byId("time").textContent = `${time.toFixed(paused ? 3 : 1)} s`;
   if (!moment) return;
-  if (!clock || time < clock.time) clock = { now, time };
-  if (now - clock.now > SPEED_SECONDS) {
+  if (paused || time < clock?.time || speed !== clock?.speed) {
+    clock = paused ? null : { now, time, speed };
+    byId("speed").textContent = "–";
+  } else if (now - clock.now > SPEED_SECONDS) {
     byId("speed").textContent = `× ${((time - clock.time) / (now - clock.now)).toFixed(2)}`;
-    clock = { now, time };
+    clock = { now, time, speed };
   }
 }
 
@@ -72,7 +75,7 @@ function take(message) {
       for (const view of views) view.begin(message);
       break;
     case "moment":
-      showTime(message.time);
+      showTime(message);
       moment = message;
       for (const view of views) view.take(message);
       break;

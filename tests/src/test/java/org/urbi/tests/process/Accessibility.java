@@ -6,7 +6,10 @@ import java.io.IOException;
 
 /** Whether people who do not see well, or have nothing but keys, can use a page as it is now. */
 final class Accessibility {
-  /** Finds what is wrong, in lines: controls without a name, text that is hard to read. */
+  /**
+   * Finds what is wrong, in lines: controls without a name, or with one that whoever speaks to the
+   * machine cannot read on them; text that is hard to read.
+   */
   private static final String FAULTS =
       """
       const faults = new Set();
@@ -15,10 +18,14 @@ final class Accessibility {
       const text = (element) => element?.textContent.trim() ?? '';
       const name = (element) =>
         element.ariaLabel || text(document.getElementById(element.getAttribute('aria-labelledby')))
-        || [...(element.labels ?? [])].map(text).join('') || element.title
-        || (['INPUT', 'SELECT', 'TEXTAREA'].includes(element.tagName) ? '' : text(element));
+        || [...(element.labels ?? [])].map(text).join('')
+        || (['INPUT', 'SELECT', 'TEXTAREA'].includes(element.tagName) ? '' : text(element)) || element.title;
       for (const element of document.querySelectorAll('button, select, input, textarea, a[href], [tabindex], iframe')) {
         if (seen(element) && !name(element)) faults.add(shown(element) + ' has no name');
+        const label = element.tagName === 'BUTTON' ? text(element) : '';
+        if (seen(element) && /\\w/.test(label) && !name(element).toLowerCase().includes(label.toLowerCase())) {
+          faults.add('"' + label + '" is not in the name of ' + shown(element) + ': ' + name(element));
+        }
         if (element.tabIndex > 0) faults.add(shown(element) + ' is out of order for Tab');
       }
       const pen = Object.assign(document.createElement('canvas'), {width: 1, height: 1}).getContext('2d', {willReadFrequently: true});

@@ -299,6 +299,11 @@ class SimulatedRobotTest {
     int halted = number(browser.evaluate(SHOWN_TIME));
     press(browser, "#step");
     browser.await("a step of 2 ms", SHOWN_TIME, now -> number(now) == halted + 2);
+    String time = StudioPage.text("#time");
+    String told = "%.3f s".formatted((halted + 2) / 1000.0);
+    browser.await("a step that is read", time, told::equals);
+    String speed = StudioPage.text("#speed");
+    assertEquals("–", browser.evaluate(speed), "a world that is halted has no speed");
     press(browser, "#reset");
     press(browser, "#step");
     browser.await("another step", SHOWN_TIME, now -> number(now) == halted + 4);

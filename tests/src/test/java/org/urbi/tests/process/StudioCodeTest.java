@@ -140,6 +140,23 @@ class StudioCodeTest {
     String offered = text(host, ".cm-tooltip-autocomplete");
     browser.await("what may follow", offered, text -> text.contains("lock"));
     browser.await("what it does", text(host, ".cm-completionInfo"), text -> text.length() > 9);
+    // The page need not understand what is before the dot.
+    offers(browser, host, "[1].siz", "size");
+    offers(browser, host, "\"grün\".toUp", "toUpper");
+    offers(browser, host, "{ var all = []; all.siz", "size");
+    write(browser, host, "[1].siz; \"Mutex.loc");
+    browser.evaluate(press(host, " ", true));
+    browser.await("that a string is no code", offered, text -> !text.contains("lock"));
+  }
+
+  private static void offers(Browser browser, String host, String typed, String name)
+      throws Exception {
+    String offered = text(host, ".cm-tooltip-autocomplete");
+    write(browser, host, "nothing;");
+    browser.await("that nothing is offered", offered, text -> !text.contains(name));
+    write(browser, host, typed);
+    browser.evaluate(press(host, " ", true));
+    browser.await("what follows " + typed, offered, text -> text.contains(name));
   }
 
   private static void editsFiles(Browser browser, Path file) throws Exception {

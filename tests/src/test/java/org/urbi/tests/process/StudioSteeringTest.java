@@ -118,6 +118,12 @@ class StudioSteeringTest {
     browser.evaluate(StudioPage.row("beating") + ".click()");
     String facts = "document.querySelector('#job .facts')?.textContent";
     browser.await("how long it waits", "return " + facts, text -> text.contains("s more"));
+    Accessibility.check(browser);
+    String starter =
+        "return [...document.querySelectorAll('#job dt')]"
+            + ".find(name => name.textContent === 'started by').nextSibling.textContent";
+    String shell = browser.evaluate(starter);
+    assertTrue(shell.matches("shell_\\d+"), shell + " has no code that could be told");
     String tag = "document.querySelector('[data-tag=beating]')";
     browser.evaluate(
         """

@@ -8,7 +8,6 @@ import { Log } from "./log.js";
 const DRAFT = "code";
 const MOST_RUNS = 50;
 const LONGEST_TITLE = 200;
-const LONGEST_PATH = 1000;
 const FIRST_TEXT = `// Ctrl-Enter runs what is selected, or everything.
 ticking: every (1s) echo("tick"),
 `;
@@ -106,7 +105,7 @@ export class Room {
   }
 
   async complete(text) {
-    const { proposals = [] } = await this.studio.ask({ type: "complete", text: text.slice(-LONGEST_PATH) }, { quiet: true });
+    const { proposals = [] } = await this.studio.ask({ type: "complete", text }, { quiet: true });
     return proposals.map(({ name, signature, doc }) => ({ label: name, detail: signature.slice(name.length), info: doc || undefined }));
   }
 

@@ -23,6 +23,8 @@ import { urbiscript } from "./urbiscript.js";
 // How many characters the server takes at once.
 export const LONGEST = 1 << 17;
 const CHECK_AFTER = 300;
+// How many characters before a name are told to complete it.
+const MOST_BEFORE = 7000;
 const MOST_FAILURES = 100;
 
 const LOOKS = EditorView.theme({
@@ -183,11 +185,14 @@ function place(text, byte) {
   return at;
 }
 
+// What precedes the name that is typed is understood by the server, which has the scanner of the language.
 async function completions(context, complete) {
-  const path = context.matchBefore(/[\w.]+/);
-  if (!path) return null;
-  const word = context.matchBefore(/\w*/);
-  if (!context.explicit && path.text.length < 2 && word.from === path.from) return null;
-  const options = await complete(path.text);
-  return options.length ? { from: word.from, options, validFor: /^\w*$/ } : null;
+  const { from } = context.matchBefore(/\w*/);
+  const before = context.state.sliceDoc(Math.max(0, from - MOST_BEFORE), from);
+  const slot = before.endsWith(".");
+  if (!context.explicit && !slot && context.pos - from < 2) return null;
+  // A line that has been cut could begin within a string.
+  const whole = from > MOST_BEFORE ? before.slice(before.indexOf("\n") + 1) : before;
+  const options = await complete(whole + context.state.sliceDoc(from, context.pos));
+  return options.length ? { from, options, validFor: /^\w*$/ } : null;
 }

@@ -68,6 +68,11 @@ export class Jobs {
     return job.frozen ? "frozen" : job.waits;
   }
 
+  // Its name and what it executes; a shell that waits for its next line executes nothing.
+  static title({ name, code }) {
+    return code ? `${name}: ${code}` : name;
+  }
+
   tagNames(job) {
     return job.tags.map((number) => this.tags.get(number)?.name).filter((name) => name);
   }

@@ -110,7 +110,7 @@ export class Lanes {
   whoWoke({ wakers }) {
     const known = wakers.map((number) => this.jobs.rows.get(number)).find((job) => job);
     if (!known) return "a job that has ended";
-    return `${known.number === wakers[0] ? "" : "a job that was started by "}${known.name}: ${known.code}`;
+    return `${known.number === wakers[0] ? "" : "a job that was started by "}${Jobs.title(known)}`;
   }
 
   draw() {

@@ -41,7 +41,7 @@ export class Side {
     const facts = [
       ["name", job.name],
       [kind === "running" || kind === "frozen" ? "is" : "waits for", kind + left],
-      ["started by", starter ? `${starter.name}: ${starter.code}` : "code that has ended"],
+      ["started by", starter ? Jobs.title(starter) : "code that has ended"],
       ["lobby", job.lobby],
       ["tags", this.jobs.tagNames(job).join(", ") || "none"],
     ];
@@ -51,8 +51,8 @@ export class Side {
       buttons.append(
         this.button("Stop", "stop", "job", number, `Stop ${job.name}`, true),
         job.frozen
-          ? this.button("Unfreeze", "unfreeze", "job", number, `Let ${job.name} go on`)
-          : this.button("Freeze", "freeze", "job", number, `Suspend ${job.name}`),
+          ? this.button("Unfreeze", "unfreeze", "job", number, `Unfreeze ${job.name}`)
+          : this.button("Freeze", "freeze", "job", number, `Freeze ${job.name}`),
       );
       return [buttons, make("dl", "", { className: "facts" }), make("ol", "", { className: "calls" })];
     });

@@ -14,7 +14,7 @@ const PAGE = `
         <h2 id="variables-title">Variables</h2>
         <input id="variable-filter" type="search" placeholder="filter: a name…" aria-label="Show only slots whose name contains this text">
         <span id="record-state" class="hint" role="status"></span>
-        <button id="record" type="button" aria-pressed="false" title="All variables and the log, to an MCAP file in the server's directory">Record</button>
+        <button id="record" type="button" aria-pressed="false" title="All UVars, the slots of --watch, and the log, to an MCAP file in the server's directory">Record</button>
       </div>
       <div class="columns" aria-hidden="true"><span>slot</span><span>value</span><span>per s</span><span>last written</span></div>
       <div id="variable-tree" role="tree" tabindex="0" aria-labelledby="variables-title"></div>
