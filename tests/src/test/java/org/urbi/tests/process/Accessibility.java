@@ -28,6 +28,9 @@ final class Accessibility {
         }
         if (element.tabIndex > 0) faults.add(shown(element) + ' is out of order for Tab');
       }
+      for (const element of document.querySelectorAll('[role=tree] [role]:not([role=treeitem], [role=group], [role=treeitem] *)')) {
+        if (!element.closest('[aria-hidden=true]')) faults.add(shown(element) + ' is in a tree, and no item of it');
+      }
       const pen = Object.assign(document.createElement('canvas'), {width: 1, height: 1}).getContext('2d', {willReadFrequently: true});
       const paint = (colours) => {
         pen.clearRect(0, 0, 1, 1);

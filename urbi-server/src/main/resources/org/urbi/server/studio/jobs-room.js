@@ -28,7 +28,7 @@ const PAGE = `
     </div>
     <div class="columns" aria-hidden="true"><span>code</span><span>waits for</span><span>share</span><span class="axis"><i id="from">1 min ago</i><i id="to">now</i></span></div>
     <div id="list" role="tree" tabindex="0" aria-labelledby="jobs-title">
-      <div id="rows"><canvas id="lanes" role="img" aria-label="When each job ran, and what it waited for"></canvas></div>
+      <div id="rows"><canvas id="lanes" aria-hidden="true"></canvas></div>
       <p id="empty" hidden>No such job.</p>
     </div>
     <p class="legend" id="legend"></p>
