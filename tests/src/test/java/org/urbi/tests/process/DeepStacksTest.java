@@ -143,7 +143,7 @@ class DeepStacksTest {
     // What has waited in fewer has a thread already.
     isRefused(50_000, "sleep(1ms)| deep(50000, closure() { sleep(1000s) })");
     isRefused(50_000, "sleep(1ms)| deep(50000, closure() { var x = 0| x = 1 time:1000s })");
-    isStoppedByAnother("deep(50000, closure() {})| sleep(1000s)");
+    isStoppedByAnother("deep(50000, closure() { 1 })| sleep(1000s)");
   }
 
   private void isRefused(int calls, String code) throws Exception {
