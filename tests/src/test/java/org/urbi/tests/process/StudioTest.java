@@ -219,6 +219,9 @@ class StudioTest {
         "return new Set([...document.querySelectorAll('header *')].map(each => "
             + "Math.round(each.getBoundingClientRect().top / 60))).size";
     browser.await("the whole header in one line", lines, "1"::equals);
+    String code =
+        "return document.querySelector('[data-room=jobs] .columns span').offsetWidth > 240";
+    browser.await("room for what jobs do", code, "true"::equals);
     browser.becomeWall();
     browser.await("large letters", LETTERS, size -> Double.parseDouble(size) > 24);
     assertEquals("", browser.evaluate(CUT), "on a wall");
