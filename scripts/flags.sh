@@ -26,14 +26,15 @@ class_path() { # DISTRIBUTION: sets cp, always in the same order; what a package
   done
 }
 
-# A package may be moved after its cache was made. Of each class in it Java asks where its jar was then, and where nothing is
-# there any more it asks in vain, class by class, for a third of the time of a start. So the jars of a package are named by an open
-# descriptor of their folder, whose name is the same everywhere; Java's processes do not pass it on.
-class_path_of_package() { # DISTRIBUTION: sets cp
-  if [ -d /proc/self/fd ] && [ -d "$1" ] && [ -r "$1" ]; then
-    exec 9<"$1"
+# A package, whose distribution is in dist, may be moved after its cache was made. Of each class in it Java asks where its
+# jar was then, and where nothing is there any more it asks in vain, class by class, for a third of the time of a start. So
+# the jars of a package are named by an open descriptor of their folder, whose name is the same everywhere; Java's processes
+# do not pass it on, and it means nothing to who only wants to see the command.
+distribution_class_path() { # of root and dist: sets cp
+  if [ "$dist" = dist ] && [ -z "${URBI_SHOW_COMMAND:-}" ] && [ -d /proc/self/fd ] && [ -r "$root/dist" ]; then
+    exec 9<"$root/dist"
     class_path /proc/self/fd/9
   else
-    class_path "$1"
+    class_path "$root/$dist"
   fi
 }

@@ -55,11 +55,7 @@ if [ "$main" = org.urbi.server.cli.UrbiCommand ] && [ -z "$little" ]; then
   done
 fi
 . "$root/scripts/flags.sh"
-if [ -n "${URBI_SHOW_COMMAND:-}" ] || [ "$dist" != dist ]; then
-  class_path "$root/$dist"
-else
-  class_path_of_package "$root/$dist"
-fi
+distribution_class_path
 # Java takes the classes from the start-up cache without a look at the jars. One that was put there since has others.
 cache=$root/$dist/urbi.aot
 for jar in "$root/$dist"/lib/*.jar; do

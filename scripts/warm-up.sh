@@ -8,11 +8,7 @@ root=$1 dist=$2 java=$3
 unset URBI_JAVA_OPTS # the cache is for those who start without
 collector=
 . "$root/scripts/flags.sh"
-if [ "$dist" = dist ]; then
-  class_path_of_package "$root/$dist"
-else
-  class_path "$root/$dist"
-fi
+distribution_class_path
 log=${4:-$root/.build/warm-up.log}
 if [ $# -le 4 ]; then
   cache=$root/$dist/urbi.aot
@@ -24,7 +20,7 @@ else
   set -- org.urbi.server.launch.ServerTrainingRun "$5" "$root/scripts/warm-up.u" "$root/scripts/warm-up-server.u"
 fi
 # Everything is compiled at once (docs/tier.md), so that the classes of the compiler are in the cache. In two steps, since a
-# Java that is started by Java has no descriptor of the jars (class_path_of_package).
+# Java that is started by Java has no descriptor of the jars (distribution_class_path).
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags $cache_flags -XX:-AOTRecordTraining -XX:AOTMode=record -XX:AOTConfiguration="$cache.classes" \
   -Durbi.tier=1 -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1

@@ -12,7 +12,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.outside.ChildProcess;
@@ -162,11 +161,10 @@ final class IsolatedProcess implements ModuleProcess {
   }
 
   private List<String> command(int port) {
-    String[] jars = System.getProperty("java.class.path").split(File.pathSeparator);
-    String classes =
-        Arrays.stream(jars)
+    List<String> jars =
+        Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
             .map(IsolatedProcess::known)
-            .collect(Collectors.joining(File.pathSeparator));
+            .toList();
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(JvmFlags.inherited());
@@ -176,7 +174,7 @@ final class IsolatedProcess implements ModuleProcess {
             "-XX:-CreateCoredumpOnCrash",
             "-XX:ErrorLogTimeout=5",
             "-XX:ErrorFile=/dev/null"));
-    Path cache = Path.of(known(jars[0])).resolveSibling("../urbi.aot").normalize();
+    Path cache = Path.of(jars.getFirst()).resolveSibling("../urbi.aot").normalize();
     if (JvmFlags.haveCache() && Files.isRegularFile(cache)) {
       command.add("-XX:AOTCache=" + cache);
     }
@@ -189,7 +187,7 @@ final class IsolatedProcess implements ModuleProcess {
     command.addAll(
         List.of(
             "-cp",
-            classes,
+            String.join(File.pathSeparator, jars),
             IsolatedModule.class.getName(),
             String.valueOf(port),
             String.valueOf(maxHold.toMillis()),
