@@ -2,12 +2,9 @@ package org.urbi.kernel.lobby;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.List;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.compile.Compilation;
-import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
@@ -21,23 +18,15 @@ import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.tag.UrbiTag;
-import org.urbi.lang.advice.Advice;
-import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.input.Item;
 import org.urbi.lang.input.StatementReader;
-import org.urbi.lang.parse.SyntaxError;
-import org.urbi.lang.parse.SyntaxWarning;
 
 /**
  * The read-eval-print loop of a lobby: a job that executes the statements of the input one after
  * the other, and shows their values and errors.
  */
 public final class Shell {
-  /** Calls behind which nothing can be told. */
-  private static final Set<String> ENDS = Set.of("quit", "reboot", "shutdown");
-
   /** Notifications of the shell to its connection. */
   public interface Listener {
     /** The shell begins, or ceases, to wait for more input. */
@@ -63,13 +52,13 @@ public final class Shell {
 
   private final Interpreter interpreter;
   private final UrbiLobby lobby;
-  private final Suspicions suspicions;
+  private final StatementReports reports;
+  private final Foreground foreground;
   private final Listener listener;
   private StatementReader reader = newReader();
   private final StringBuilder received = new StringBuilder();
   private final Imports imports = new Imports();
   private @Nullable Job job;
-  private UrbiTag foregroundTag;
   private @Nullable MessageInput messages;
   private boolean textGoesOn;
   private boolean waiting;
@@ -77,7 +66,6 @@ public final class Shell {
   private boolean hungUp;
   private boolean closed;
   private boolean stopped;
-  private boolean busy;
   private long bytesReceived;
 
   /** The number of the statement that it reads or executes, or will read when input comes. */
@@ -86,13 +74,9 @@ public final class Shell {
   public Shell(Interpreter interpreter, UrbiLobby lobby, Listener listener) {
     this.interpreter = interpreter;
     this.lobby = lobby;
-    suspicions = new Suspicions(lobby);
+    reports = new StatementReports(interpreter.world(), lobby);
     this.listener = listener;
-    this.foregroundTag = newTag();
-  }
-
-  private UrbiTag newTag() {
-    return (UrbiTag) interpreter.prototypes().tag.cloned();
+    foreground = new Foreground(interpreter, lobby, this::isClosed);
   }
 
   private Job job() {
@@ -155,7 +139,7 @@ public final class Shell {
   }
 
   private void awaitWait(Job watcher) {
-    while (!closed && (job().canRun() || (busy && foregroundTag.state().canRun()))) {
+    while (!closed && (job().canRun() || foreground.canRun())) {
       watcher.yieldNow();
     }
     listener.finished();
@@ -200,11 +184,7 @@ public final class Shell {
   public void interrupt() {
     received.setLength(0);
     reader = newReader();
-    if (busy) {
-      UrbiObject nothing = interpreter.values().voidObject;
-      foregroundTag.state().stop(interpreter.scheduler(), nothing);
-      Diagnostics.error(lobby.output(), Problem.INTERRUPTED.text());
-    }
+    foreground.interrupt();
   }
 
   /** The number of the last statement that has begun, to be read or executed; from any thread. */
@@ -282,7 +262,7 @@ public final class Shell {
           if (closed || !stop.isInterruption()) {
             throw stop;
           }
-          awaitMessage(shell);
+          foreground.awaitMessage(shell);
           continue;
         } catch (ControlFlowException unwinding) {
           throw unwinding;
@@ -298,15 +278,13 @@ public final class Shell {
         if (item == null) {
           break;
         }
-        item.warnings().forEach(this::show);
+        item.warnings().forEach(reports::warning);
         if (item instanceof Item.Statement statement) {
-          if (explains()) {
-            reads(ends(statement.tree()) ? null : statement.tree().span().location().file());
-            suspicions.look(statement);
-          }
+          reports.begins(statement);
           execute(shell, statement);
         } else if (item instanceof Item.Invalid invalid) {
-          show(invalid.errors());
+          listener.failed();
+          reports.errors(invalid.errors());
         }
       }
       if (!closed && !hungUp) {
@@ -331,10 +309,10 @@ public final class Shell {
       } else if (messages != null && takeNext(shell, messages)) {
         listener.consumed();
       } else if (ended) {
-        reads(null);
+        reports.pauses();
         return reader.unfinished();
       } else {
-        reads(null);
+        reports.pauses();
         waiting = true;
         shell.setDaemon(true);
         listener.starving(true);
@@ -370,8 +348,9 @@ public final class Shell {
       lookForAnswers();
     } else {
       MessageInput.Command order = (MessageInput.Command) step;
-      inForeground(
+      foreground.execute(
           shell,
+          statement,
           () -> order.perform(Frame.top(interpreter, shell, lobby, new FrameLayout())),
           () -> {});
     }
@@ -387,21 +366,12 @@ public final class Shell {
 
   private void answerIfBlocked() {
     JobState state = job().state();
-    boolean blocked = busy && (state == JobState.WAITING || state == JobState.SLEEPING);
+    boolean blocked =
+        foreground.isBusy() && (state == JobState.WAITING || state == JobState.SLEEPING);
     if (blocked && !closed && messages != null && messages.hasAnswers()) {
       messages.answer();
       listener.consumed();
     }
-  }
-
-  /**
-   * After an interruption the input behind must not be executed: wait for the message that drops
-   * it.
-   */
-  private void awaitMessage(Job shell) {
-    do {
-      shell.yieldNow();
-    } while (!closed && interpreter.scheduler().interruptions().isMessageDue(lobby));
   }
 
   private void awaitJobs(Job shell) {
@@ -424,7 +394,7 @@ public final class Shell {
       if (closed || !stop.isInterruption()) {
         throw stop;
       }
-      awaitMessage(shell);
+      foreground.awaitMessage(shell);
       return;
     } catch (UrbiException e) {
       interpreter.scheduler().beginTurn();
@@ -435,7 +405,7 @@ public final class Shell {
       return;
     }
     if (statement.separator() == Ast.Flavor.COMMA) {
-      TagScope scope = enterStatement(shell);
+      TagScope scope = foreground.enter(shell, this.statement);
       try {
         interpreter
             .scheduler()
@@ -453,8 +423,9 @@ public final class Shell {
       shell.yieldNow();
       return;
     }
-    inForeground(
+    foreground.execute(
         shell,
+        this.statement,
         () -> runAndShow(shell, compiled),
         () -> {
           interpreter.statementOver(Frame.top(interpreter, shell, lobby, compiled.layout()));
@@ -464,81 +435,10 @@ public final class Shell {
         });
   }
 
-  private TagScope enterStatement(Job shell) {
-    TagScope scope = shell.enter(lobby.connectionTag().state());
-    scope.isForStatement(statement);
-    return scope;
-  }
-
-  /**
-   * Executes a statement in the foreground.
-   *
-   * @param end what follows if no error has ended it
-   */
-  private void inForeground(Job shell, Runnable action, Runnable end) {
-    busy = true;
-    boolean interrupted = false;
-    foregroundTag = newTag();
-    try {
-      TagScope scope = enterStatement(shell);
-      try {
-        if (runsToEnd(shell, action)) {
-          end.run();
-        }
-        shell.yield();
-      } catch (TagStop stop) {
-        if (closed) {
-          throw stop;
-        }
-        interrupted = stop.isInterruption();
-      } catch (ControlFlowException unwinding) {
-        // A return or break outside of functions and loops is ignored.
-      } catch (Throwable failure) {
-        interpreter.scheduler().memory().recover(failure);
-        interpreter.scheduler().beginTurn();
-        interpreter.report(shell, failure);
-      } finally {
-        shell.leave(scope);
-      }
-      if (interrupted) {
-        // Called outside of the lobby's tag, because the message may stop everything under it.
-        awaitMessage(shell);
-      }
-    } finally {
-      busy = false;
-      shell.endNonInterruptible(0);
-    }
-  }
-
   /** Reports a bug of ours to the client, and continues. */
   public void failed(String where, Throwable failure) {
     FailureLog.internal(where, failure);
     Diagnostics.error(lobby.output(), FailureLog.text(failure));
-  }
-
-  /**
-   * Runs something under the tag of the foreground, its errors included: whoever interrupts it ends
-   * also the code that tells what was thrown. Returns whether no error has ended it.
-   */
-  private boolean runsToEnd(Job shell, Runnable action) {
-    TagScope scope = shell.enter(foregroundTag.state());
-    try {
-      action.run();
-      return true;
-    } catch (TagStop stop) {
-      if (stop.scope() != scope) {
-        throw stop;
-      }
-      return true;
-    } catch (ControlFlowException unwinding) {
-      throw unwinding;
-    } catch (Throwable failure) {
-      interpreter.scheduler().beginTurn();
-      interpreter.report(shell, failure);
-      return false;
-    } finally {
-      shell.leave(scope);
-    }
   }
 
   private void runAndShow(Job shell, Compilation.Compiled compiled) {
@@ -546,43 +446,6 @@ public final class Shell {
     UrbiObject value = compiled.code().execute(frame);
     if (TopLevel.isShown(interpreter, value)) {
       TopLevel.show(Frame.top(interpreter, shell, lobby, compiled.layout()), lobby, value);
-    }
-  }
-
-  /** Whether people look at the output. */
-  private boolean explains() {
-    return lobby.output().errors() != ErrorStyle.PLAIN;
-  }
-
-  private static boolean ends(Ast statement) {
-    return statement instanceof Ast.Message call && ENDS.contains(call.name());
-  }
-
-  private void reads(@Nullable String file) {
-    if (explains()) {
-      lobby.failures().reads(file, lobby.output());
-    }
-  }
-
-  private void show(SyntaxWarning warning) {
-    if (!WarningChannel.isOff(interpreter.world())) {
-      Diagnostics.warning(lobby.output(), Diagnostics.place(warning.span()) + warning.message());
-      Diagnostics.explain(
-          lobby.output(), warning.span(), () -> Advice.of(warning.problem().hint().orElse(null)));
-    }
-  }
-
-  /** People are told of the first, which may have caused the others. */
-  private void show(List<SyntaxError> errors) {
-    (explains() ? errors.subList(0, 1) : errors).forEach(this::show);
-  }
-
-  private void show(SyntaxError error) {
-    listener.failed();
-    Diagnostics.error(lobby.output(), Diagnostics.place(error.span()) + error.message());
-    Diagnostics.explain(lobby.output(), error.span(), () -> SyntaxAdvice.of(error));
-    if (explains()) {
-      lobby.failures().add(error);
     }
   }
 }
