@@ -255,7 +255,7 @@ final class Converters {
   private UrbiObject waited(@Nullable Object result) {
     return result(
         result instanceof CompletionStage<?> stage
-            ? context.crossing().inKernel(frame -> context.await(frame, stage))
+            ? context.crossing().inKernel(frame -> context.jobs().await(frame, stage))
             : result);
   }
 

@@ -51,7 +51,7 @@ final class JavaHook implements Hook {
     try {
       if (callback.isThreaded()) {
         Object[] arguments = arguments(value);
-        context.runThreaded(callback, () -> callThreaded(arguments));
+        context.jobs().runThreaded(callback, () -> callThreaded(arguments));
       } else {
         context.notifications().begin(frame.job(), variable, value);
         try {

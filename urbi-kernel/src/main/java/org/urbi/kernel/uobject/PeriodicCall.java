@@ -67,7 +67,7 @@ final class PeriodicCall {
 
   private void call(Job job) {
     if (!ended) {
-      context.callBack(job, lobby, callback);
+      context.jobs().callBack(job, lobby, callback);
     }
   }
 

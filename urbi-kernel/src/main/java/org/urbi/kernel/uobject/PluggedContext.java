@@ -7,24 +7,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.job.ControlFlowException;
-import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
@@ -72,6 +65,7 @@ public final class PluggedContext implements UContext {
   private final NativeThread nativeThread = new NativeThread(this);
   private final ThreadPool threads = new ThreadPool("urbi-uobject-");
   private final KernelCrossing crossing;
+  private final ComponentJobs jobs;
   private final ComponentTasks tasks;
   private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
 
@@ -96,6 +90,7 @@ public final class PluggedContext implements UContext {
     this.creation = new InstanceLifecycle(this);
     this.modules = new Modules(this, moduleSearchPath, outside);
     this.systemLobby = new SystemLobby(interpreter, log);
+    this.jobs = new ComponentJobs(this);
     scheduler.inbox().register(Message.COMPONENTS, this::take);
   }
 
@@ -122,6 +117,11 @@ public final class PluggedContext implements UContext {
   /** The way between the kernel and the code of components. */
   KernelCrossing crossing() {
     return crossing;
+  }
+
+  /** The jobs in which components are called. */
+  ComponentJobs jobs() {
+    return jobs;
   }
 
   VariableLookup variables() {
@@ -195,36 +195,7 @@ public final class PluggedContext implements UContext {
     return variables.nameOf(frame, object);
   }
 
-  // ------------------------------------------------------------------ calls of components
-
-  /**
-   * Waits for a result while other jobs run, and cancels it if the job is stopped; on the kernel
-   * thread.
-   */
-  @Nullable Object await(Frame frame, CompletionStage<?> stage) {
-    return new AwaitedResult(frame.job())
-        .await(stage, e -> report(JavaFailures.caught(JavaFailures.calling("cancel"), e)));
-  }
-
-  /** Runs a threaded call for whose result nobody waits; on the kernel thread. */
-  void runThreaded(UCallback callback, Runnable call) {
-    boolean started =
-        scheduler
-            .time()
-            .attempt(() ->
-                callback.execute(
-                    this,
-                    () -> {
-                      try {
-                        call.run();
-                      } finally {
-                        scheduler.inbox().post(new Message.ComponentDone());
-                      }
-                    }));
-    if (started) {
-      scheduler.pace().begin();
-    }
-  }
+  // ------------------------------------------------------------------ reports
 
   /** Reports a failure on another thread, unless the kernel is ending. */
   void reportUnlessOver(String message) {
@@ -240,45 +211,14 @@ public final class PluggedContext implements UContext {
     }
   }
 
-  /** Calls a function in a job, and reports what it throws. */
-  void callBack(Job job, UrbiObject lobby, UCallback callback) {
-    Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
-    CallStatistics.Entry entry = statistics.entry(callback.name());
-    long started = entry.begin();
-    Frame outer = crossing.leave(frame, callback.name());
-    try {
-      callback.call();
-    } catch (ControlFlowException e) {
-      throw e;
-    } catch (Throwable e) {
-      report(job, callback.name(), e);
-    } finally {
-      entry.end(started);
-      crossing.back(frame, outer);
-    }
-  }
-
-  private void report(Job job, String function, Throwable e) {
-    RuntimeException shown =
-        e instanceof PropagatedUrbiException raised
-            ? raised.original()
-            : interpreter
-                .errors()
-                .primitive(
-                    Utf8Text.toUrbi(function),
-                    Problem.REASON,
-                    Utf8Text.toUrbi(JavaFailures.caught(JavaFailures.calling(function), e)));
-    interpreter.report(job, shown);
-  }
-
   // ------------------------------------------------------------------ messages
 
   private void take(Message message) {
     switch (message) {
       case Message.ComponentCode sent -> lobby().shell().receive(Utf8Text.toUrbi(sent.code()));
-      case Message.ComponentCall wish -> start(frame -> tasks.call(frame, wish));
+      case Message.ComponentCall wish -> jobs.start(frame -> tasks.call(frame, wish));
       case Message.ComponentEvent event ->
-          start(frame -> tasks.emit(frame, event.name(), event.payload()));
+          jobs.start(frame -> tasks.emit(frame, event.name(), event.payload()));
       case Message.OfComponent asked -> requests.start(asked, lobby());
       case Message.ComponentDone done -> scheduler.pace().end();
       case Message.ComponentGone object -> objects.gone(object.name());
@@ -447,21 +387,6 @@ public final class PluggedContext implements UContext {
     }
   }
 
-  /** A task for a job. */
-  @FunctionalInterface
-  private interface FrameTask {
-    void run(Frame frame);
-  }
-
-  private void start(FrameTask task) {
-    UrbiLobby own = lobby();
-    scheduler.startDetached(
-        own,
-        scheduler.rootScope(),
-        "uobject",
-        job -> task.run(Frame.top(interpreter, job, own, new FrameLayout())));
-  }
-
   @Override
   public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
     return crossing.fromKernel(frame -> {
@@ -499,32 +424,12 @@ public final class PluggedContext implements UContext {
    * stage is cancelled.
    */
   public void await(CompletableFuture<?> stage, Duration most) {
-    crossing.inKernel(frame -> {
-      Timers.Timer limit =
-          scheduler.timers().add(scheduler.deadline(most.toNanos()), () -> stage.cancel(false));
-      try {
-        awaitEnd(frame, stage);
-      } finally {
-        limit.cancel();
-      }
-      return null;
-    });
+    crossing.inKernel(frame -> jobs.awaitEnd(frame, stage, most));
   }
 
   /** Makes the running job wait until a stage is complete, normally or not. */
   public void await(CompletableFuture<?> stage) {
-    crossing.inKernel(frame -> {
-      awaitEnd(frame, stage);
-      return null;
-    });
-  }
-
-  private static void awaitEnd(Frame frame, CompletableFuture<?> stage) {
-    try {
-      new AwaitedResult(frame.job()).await(stage);
-    } catch (CompletionException e) {
-      // The reason is reported elsewhere, by whoever completes the stage.
-    }
+    crossing.inKernel(frame -> jobs.awaitEnd(frame, stage));
   }
 
   @Override
@@ -581,11 +486,7 @@ public final class PluggedContext implements UContext {
 
   /** The urbiscript object was garbage collected; called between the jobs. */
   private void gone(Instance instance) {
-    scheduler.startDetached(
-        lobby(),
-        scheduler.rootScope(),
-        "uobject",
-        job -> creation.end(Frame.top(interpreter, job, job.lobby(), new FrameLayout()), instance));
+    jobs.start(frame -> creation.end(frame, instance));
   }
 
   /** The kernel has ended; on its thread. */
