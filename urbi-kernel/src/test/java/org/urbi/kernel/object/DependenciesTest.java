@@ -3,6 +3,7 @@ package org.urbi.kernel.object;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -70,6 +71,74 @@ class DependenciesTest {
     assertEquals(List.of("first", "third"), told);
     source.changed();
     assertEquals(List.of("first", "third", "first", "third", "fourth"), told);
+  }
+
+  /** One that cannot be told now must not cost itself and the others the change. */
+  @Test
+  void theOthersAreToldWhenOneFails() {
+    Dependencies source = new Dependencies("x");
+    source.add(() -> told.add("first"));
+    source.add(
+        new Dependencies.Watcher() {
+          @Override
+          public void invalidated() {
+            throw new IllegalStateException("no time");
+          }
+
+          @Override
+          public void invalidatedLater() {
+            told.add("later");
+          }
+        });
+    List<Dependencies.Watch> ended = new ArrayList<>();
+    source.add(() -> {
+      told.add("third");
+      ended.forEach(Dependencies.Watch::end);
+    });
+    ended.add(source.add(() -> told.add("ended")));
+    source.add(() -> told.add("last"));
+    Exception failed = assertThrows(IllegalStateException.class, source::changed);
+    assertEquals("no time", failed.getMessage());
+    assertEquals(List.of("first", "later", "third", "last"), told);
+  }
+
+  @Test
+  void peopleAreToldWhatWatches() {
+    Dependencies source = new Dependencies("speed");
+    assertEquals("speed", source.name());
+    assertEquals(0, source.size());
+    assertEquals(List.of(), source.watchers(3));
+    source.add(() -> {});
+    for (String name : List.of("one", "two", "three")) {
+      source.add(
+          new Dependencies.Watcher() {
+            @Override
+            public void invalidated() {}
+
+            @Override
+            public String description() {
+              return name;
+            }
+          });
+    }
+    assertEquals(4, source.size());
+    assertEquals(List.of("", "one", "two", "three"), source.watchers(9));
+    assertEquals(List.of("", "one", "two"), source.watchers(3));
+    assertEquals(List.of(), source.watchers(0));
+  }
+
+  @Test
+  void aWatchKnowsTheEvaluationThatReadItsSource() {
+    Dependencies source = new Dependencies("x");
+    Dependencies.Watch watch = source.add(() -> {});
+    assertEquals(source, watch.source());
+    assertFalse(watch.wasReadBy(7));
+    assertTrue(watch.readBy(7));
+    assertFalse(watch.readBy(7));
+    assertTrue(watch.wasReadBy(7));
+    assertFalse(watch.wasReadBy(8));
+    assertTrue(watch.readBy(8));
+    assertFalse(watch.wasReadBy(7));
   }
 
   // ------------------------------------------------------------------ what objects tell

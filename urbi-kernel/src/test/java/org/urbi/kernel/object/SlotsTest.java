@@ -245,4 +245,32 @@ class SlotsTest {
     assertSame(world, root.shape().world());
     assertNotSame(world, new World().values().object.world());
   }
+
+  @Test
+  void objectsThatGetTheSameSlotsTogetherHaveOneShape() {
+    SlotNames names = new SlotNames(name("a"), name("b"));
+    UrbiObject first = value();
+    UrbiObject second = value();
+    UrbiObject made = root.clonedWith(names, first, second);
+    assertSame(first, made.localSlot(name("a")));
+    assertSame(second, made.localSlot(name("b")));
+    UrbiObject like = root.clonedWith(names, second, first);
+    assertSame(made.shape(), like.shape());
+    assertSame(second, like.localSlot(name("a")));
+    UrbiObject other = root.cloned().clonedWith(names, first, second);
+    assertNotSame(made.shape(), other.shape());
+    assertSame(first, other.localSlot(name("a")));
+  }
+
+  @Test
+  void whatItKeepsForOthersIsNotInherited() {
+    UrbiObject object = root.cloned();
+    assertNull(object.companion());
+    object.addSlot(name("a"), value());
+    assertNull(object.companion());
+    UrbiObject.Companion kept = new UrbiObject.Companion() {};
+    object.setCompanion(kept);
+    assertSame(kept, object.companion());
+    assertNull(object.cloned().companion());
+  }
 }
