@@ -27,7 +27,6 @@ import urbi.UEmitter;
 import urbi.UModule;
 import urbi.UObject;
 import urbi.UValue;
-import urbi.rtp.RtpMode;
 import urbi.wire.Frame;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
@@ -62,11 +61,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   private final List<Runnable> unseen = new ArrayList<>();
 
   private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
-  private final Map<Integer, RemoteVariable> variables = new HashMap<>();
-
-  /** How many uses of a variable the process has ended by name. */
-  private final Map<String, Double> unnotified = new HashMap<>();
-
+  private final RemoteVariables variables = new RemoteVariables(this);
   private final Map<String, UEmitter> events = new HashMap<>();
   private final WireOutput out = new WireOutput(1 << 12);
   private boolean flushing;
@@ -167,6 +162,11 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
 
   RemoteTransport wire() {
     return wire;
+  }
+
+  /** The variables that the process uses. */
+  RemoteVariables variables() {
+    return variables;
   }
 
   /** The values that go in datagrams. */
@@ -377,34 +377,9 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     }
   }
 
-  /** Opens a variable under a number that both sides use. */
-  UValue open(int id, boolean port, String name) {
-    RemoteVariable variable =
-        new RemoteVariable(this, id, port ? context.inputPort(name) : context.variable(name));
-    variables.put(id, variable);
-    if (variable.rtp() != RtpMode.RTP_DEFAULT) {
-      datagrams.tellMode(variable);
-    }
-    variable.watch(1);
-    return port ? new UValue() : variable.slot().get();
-  }
-
-  /** Closes a variable that the process no longer uses. */
-  void close(int id) {
-    variable(id).close();
-    variables.remove(id);
-    datagrams.close(id);
-  }
-
   @Override
   public void unnotify(String name, double times) {
-    List<RemoteVariable> named =
-        variables.values().stream().filter(each -> each.slot().name().equals(name)).toList();
-    double ended = unnotified.merge(name, times, Double::sum);
-    if (ended >= named.stream().mapToInt(RemoteVariable::uses).sum()) {
-      unnotified.remove(name);
-      named.forEach(RemoteVariable::unwatch);
-    }
+    variables.unnotify(name, times);
   }
 
   @Override
@@ -415,15 +390,6 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   @Override
   public void disconnected() {
     // The transport tells of that.
-  }
-
-  /** The variable of that number. */
-  RemoteVariable variable(int id) {
-    RemoteVariable variable = variables.get(id);
-    if (variable == null) {
-      throw new IllegalArgumentException(Problem.NO_VARIABLE.text(id));
-    }
-    return variable;
   }
 
   /** Emits an event; without a payload, only creates it. */
@@ -505,7 +471,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   private void refresh() {
     if (behind) {
       behind = false;
-      variables.values().forEach(RemoteVariable::refresh);
+      variables.refresh();
     }
   }
 
@@ -579,8 +545,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     Runnable show =
         told == null || !told.isMissed() ? () -> {} : context.keepVisible(classes.keySet());
     calls.lose(why.lines().findFirst().orElse(why));
-    variables.values().forEach(RemoteVariable::close);
-    variables.clear();
+    variables.end();
     List<RemoteObject> all = new ArrayList<>(objects.values());
     objects.clear();
     all.forEach(UObject::clean);

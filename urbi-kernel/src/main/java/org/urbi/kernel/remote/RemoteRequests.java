@@ -39,7 +39,7 @@ final class RemoteRequests {
       case Frame.RTP -> {
         int id = in.size();
         boolean on = in.octet() == 1;
-        yield () -> peer.variable(id).slot().useRtp(on);
+        yield () -> peer.variables().get(id).slot().useRtp(on);
       }
       case Frame.RTP_OFFER -> {
         RtpParameters terms = RtpParameters.read(in);
@@ -66,40 +66,42 @@ final class RemoteRequests {
         int id = in.size();
         boolean port = in.octet() == 1;
         String name = in.text();
-        yield answering(number, () -> peer.open(id, port, name));
+        yield answering(number, () -> peer.variables().open(id, port, name));
       }
       case Frame.SET -> {
         int id = in.size();
         UValue value = in.value();
-        yield () -> peer.variable(id).set(value);
+        yield () -> peer.variables().get(id).set(value);
       }
       case Frame.CLOSE, Frame.OWN -> {
         int id = in.size();
-        yield type == Frame.OWN ? () -> peer.variable(id).own() : () -> peer.close(id);
+        yield type == Frame.OWN
+            ? () -> peer.variables().get(id).own()
+            : () -> peer.variables().close(id);
       }
       case Frame.WATCH, Frame.INTERCEPT -> {
         int id = in.size();
         int how = in.octet();
         yield type == Frame.WATCH
-            ? () -> peer.variable(id).watch(how)
-            : () -> peer.variable(id).intercept(how == 1);
+            ? () -> peer.variables().get(id).watch(how)
+            : () -> peer.variables().get(id).intercept(how == 1);
       }
       case Frame.SYNC -> {
         int number = in.size();
         int id = in.size();
-        yield answering(number, () -> peer.variable(id).slot().sync());
+        yield answering(number, () -> peer.variables().get(id).slot().sync());
       }
       case Frame.GET_PROPERTY -> {
         int number = in.size();
         int id = in.size();
         UProperty property = property(in.text());
-        yield answering(number, () -> peer.variable(id).slot().property(property));
+        yield answering(number, () -> peer.variables().get(id).slot().property(property));
       }
       case Frame.SET_PROPERTY -> {
         int id = in.size();
         UProperty property = property(in.text());
         UValue value = in.value();
-        yield () -> peer.variable(id).slot().setProperty(property, value);
+        yield () -> peer.variables().get(id).slot().setProperty(property, value);
       }
       case Frame.EVENT, Frame.EMIT -> {
         String name = in.text();

@@ -15,9 +15,6 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Occurrences;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.job.Timers;
-import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
@@ -50,20 +47,6 @@ public final class UrbiUVar extends UrbiObject {
     }
   }
 
-  /** A job that waits for the next value in bypass mode. */
-  private static final class Reader {
-    private final Job job;
-    private @Nullable UrbiObject value;
-    private boolean late;
-
-    Reader(Job job) {
-      this.job = job;
-    }
-  }
-
-  /** How long a reader waits for a value in bypass mode, in nanoseconds. */
-  private static final long BYPASS_TIMEOUT = 500_000_000;
-
   private final List<Place> places = new ArrayList<>(1);
 
   /** The properties of all its slots. */
@@ -76,7 +59,7 @@ public final class UrbiUVar extends UrbiObject {
   /** Copied on write, because passing on values may change the list. */
   private List<UrbiConnection> connections = List.of();
 
-  private final List<Reader> readers = new ArrayList<>(0);
+  private final BypassReaders readers = new BypassReaders();
   private @Nullable AccessLoop accessLoop;
 
   /** The jobs that are reading it, and run the access hooks for that. */
@@ -372,7 +355,11 @@ public final class UrbiUVar extends UrbiObject {
    */
   public UrbiObject read(Frame frame) {
     UrbiObject present = readNow(frame);
-    return bypass && isForgotten() && world().tracker == null ? awaitValue(frame.job()) : present;
+    if (!bypass || !isForgotten() || world().tracker != null) {
+      return present;
+    }
+    UrbiObject next = readers.await(frame.job());
+    return next == null ? world().values().nil : next;
   }
 
   /** As {@link #read}, but never waits: in bypass mode there may be no value. */
@@ -398,30 +385,6 @@ public final class UrbiUVar extends UrbiObject {
 
   private boolean isForgotten() {
     return visible().foreign() == null && visible().value() == world().values().nil;
-  }
-
-  private UrbiObject awaitValue(Job job) {
-    Reader reader = new Reader(job);
-    readers.add(reader);
-    Scheduler scheduler = job.scheduler();
-    Timers.Timer limit =
-        scheduler
-            .timers()
-            .add(
-                scheduler.deadline(BYPASS_TIMEOUT),
-                () -> {
-                  reader.late = true;
-                  job.wake();
-                });
-    try {
-      while (reader.value == null && !reader.late) {
-        job.waitForWake(Wait.COMPONENT);
-      }
-      return reader.value == null ? world().values().nil : reader.value;
-    } finally {
-      limit.cancel();
-      readers.remove(reader);
-    }
   }
 
   /** The value that everybody reads; no hook is run. */
@@ -482,20 +445,13 @@ public final class UrbiUVar extends UrbiObject {
       tell(frame, assigned);
     } finally {
       if (bypass && assigned.foreign() != null) {
-        deliver(assigned);
+        readers.deliver(assigned.value());
         if (visible() == assigned) {
           forget();
         }
       }
     }
     return assigned;
-  }
-
-  private void deliver(Datum assigned) {
-    for (Reader reader : readers) {
-      reader.value = assigned.value();
-      reader.job.wake();
-    }
   }
 
   private void tell(Frame frame, Datum assigned) {

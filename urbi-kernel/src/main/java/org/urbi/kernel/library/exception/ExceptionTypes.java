@@ -278,7 +278,8 @@ public final class ExceptionTypes {
     StringDistance.ClosestName guess = new StringDistance.ClosestName(name);
     for (UrbiObject holder : local ? List.of(object) : ObjectType.allProtos(object)) {
       for (Symbol slot : holder.localSlotNames()) {
-        // Nobody means a name that is not for people, such as $id. Texts are those of 2.7, which had
+        // Nobody means a name that is not for people, such as $id. Texts are those of 2.7, which
+        // had
         // no help.
         if (slot.name().indexOf('$') < 0 && !slot.name().equals("help")) {
           guess.consider(slot.name(), holder == object && !session);
