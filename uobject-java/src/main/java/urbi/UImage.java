@@ -71,6 +71,7 @@ public final class UImage {
     return width;
   }
 
+  /** Sets how many pixels are in a row; the bytes stay. */
   public void setWidth(long pixels) {
     width = Math.toIntExact(pixels);
   }
@@ -80,6 +81,7 @@ public final class UImage {
     return height;
   }
 
+  /** Sets how many rows there are; the bytes stay. */
   public void setHeight(long pixels) {
     height = Math.toIntExact(pixels);
   }

@@ -101,6 +101,7 @@ public final class USound {
     return channels;
   }
 
+  /** Sets how many samples are played at the same time; the bytes stay. */
   public void setChannels(long number) {
     channels = Math.toIntExact(number);
   }
@@ -110,6 +111,7 @@ public final class USound {
     return rate;
   }
 
+  /** Sets how many samples there are in a second; the bytes stay. */
   public void setRate(long hertz) {
     rate = Math.toIntExact(hertz);
   }
@@ -119,6 +121,7 @@ public final class USound {
     return sampleSize;
   }
 
+  /** Sets the bits of a sample; the bytes stay. */
   public void setSampleSize(long bits) {
     sampleSize = Math.toIntExact(bits);
   }

@@ -18,13 +18,19 @@ public class UVar {
   /** The greatest value; writing more writes this. */
   public final UProp rangemax = new UProp(this, UProperty.PROP_RANGEMAX);
 
+  /** The least speed of a motion, in units per second. */
   public final UProp speedmin = new UProp(this, UProperty.PROP_SPEEDMIN);
+
+  /** The greatest speed of a motion, in units per second. */
   public final UProp speedmax = new UProp(this, UProperty.PROP_SPEEDMAX);
+
+  /** How near its target an adaptive motion at a speed is over. */
   public final UProp delta = new UProp(this, UProperty.PROP_DELTA);
 
   /** What becomes of several assignments at a time, see {@link UBlendType}. */
   public final UProp blend = new UProp(this, UProperty.PROP_BLEND);
 
+  /** Not 0 if the variable may not be assigned. */
   public final UProp constant = new UProp(this, UProperty.PROP_CONSTANT);
 
   private final @Nullable UValue initial;
@@ -232,26 +238,32 @@ public class UVar {
     return type();
   }
 
+  /** The number, or the one that the string is. */
   public double doubleValue() {
     return getUValue().doubleValue();
   }
 
+  /** The number, as near as a float is to it. */
   public float floatValue() {
     return getUValue().floatValue();
   }
 
+  /** The number without its decimals; where it is too large, its lowest 32 bits. */
   public int intValue() {
     return getUValue().intValue();
   }
 
+  /** The number without its decimals; the nearest one where it is too large. */
   public long longValue() {
     return getUValue().longValue();
   }
 
+  /** The lowest 16 bits of {@link #intValue}. */
   public short shortValue() {
     return (short) intValue();
   }
 
+  /** The lowest 8 bits of {@link #intValue}. */
   public byte byteValue() {
     return (byte) intValue();
   }
@@ -260,14 +272,17 @@ public class UVar {
     return UCast.character(getUValue());
   }
 
+  /** Whether the number is not 0. */
   public boolean booleanValue() {
     return getUValue().booleanValue();
   }
 
+  /** The string, the number as text, or the name of the slot. */
   public String stringValue() {
     return getUValue().stringValue();
   }
 
+  /** The list itself; changes of it are changes of the value that was read. */
   public UList ulistValue() {
     return getUValue().ulistValue();
   }
@@ -366,6 +381,7 @@ public class UVar {
     check().useRtp(enable);
   }
 
+  /** Has changes travel in datagrams between this module and the kernel. */
   public void useRTP() {
     useRTP(true);
   }
