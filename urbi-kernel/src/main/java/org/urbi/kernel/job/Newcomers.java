@@ -63,8 +63,17 @@ final class Newcomers {
     descendants = 0;
   }
 
-  /** Those that the running job has started run next, in this round. */
+  /**
+   * Those that the running job has started run next, in this round, or wait behind others; both in
+   * the order in which it has started them.
+   */
   void joinRound() {
+    for (int left = queue.isRushing() ? born.size() : 0; left > 0; left--) {
+      Job child = born.poll();
+      if (child != null && !queue.addElsewhere(child)) {
+        born.add(child.turn);
+      }
+    }
     for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
       queue.addToRound(child);
     }

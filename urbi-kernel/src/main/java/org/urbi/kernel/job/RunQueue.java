@@ -181,26 +181,6 @@ class RunQueue {
    */
   private long floor;
 
-  /** The jobs of one budget. */
-  static final class Share {
-    final JobList jobs = new JobList();
-    final long number;
-
-    /** Whether it takes part in this rush. */
-    boolean active;
-
-    /** For how many rounds that were cut short it was to blame. */
-    long roundsCut;
-
-    /** The least is served first; constant while it is to be served. */
-    long place;
-
-    Share(long number, long roundsCut) {
-      this.number = number;
-      this.roundsCut = roundsCut;
-    }
-  }
-
   /**
    * @param worked the processor time of the loop, in nanoseconds, or {@link HoldWatchdog#UNKNOWN}
    */
@@ -241,20 +221,42 @@ class RunQueue {
 
   /**
    * Adds a job that runs next, because the running job has started it, and what follows may rely on
-   * what it does first: even if the round is cut short before. In a rush one of another lobby waits
-   * behind the jobs of that lobby: it must not overtake one that has been started before, such as
-   * the reaction to an earlier event.
+   * what it does first: even if the round is cut short before; unless it {@linkplain #addElsewhere
+   * waits elsewhere}.
    */
   void addToRound(Job job) {
-    JobList queue = queueFor(job);
-    boolean next = !rushing || queue == current.jobs;
-    if (next ? queue.addFirst(job.turn) : queue.add(job.turn)) {
-      count(queue);
-      if (next) {
-        left++;
-        fresh++;
-      }
+    if (addElsewhere(job)) {
+      return;
     }
+    JobList queue = rushing ? current.jobs : together;
+    if (queue.addFirst(job.turn)) {
+      count(queue);
+      left++;
+      fresh++;
+    }
+  }
+
+  /**
+   * In a rush a job of another lobby waits behind the jobs of that lobby: it must not overtake one
+   * that has been started before, such as the reaction to an earlier event. Returns whether it is
+   * such a job, and has been added.
+   */
+  boolean addElsewhere(Job job) {
+    if (!rushing) {
+      return false;
+    }
+    JobList queue = queueInRush(job);
+    if (queue == current.jobs) {
+      return false;
+    }
+    if (queue.add(job.turn)) {
+      count(queue);
+    }
+    return true;
+  }
+
+  boolean isRushing() {
+    return rushing;
   }
 
   /** A job goes on running instead of waiting for its turn. */
