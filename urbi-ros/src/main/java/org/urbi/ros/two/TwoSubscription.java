@@ -2,6 +2,7 @@ package org.urbi.ros.two;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
@@ -109,6 +110,9 @@ final class TwoSubscription implements Subscription {
   private final class Samples implements ReaderListener {
     private final MessageCodec codec;
 
+    /** What one thread has yet to take: two would mix the order up. */
+    private final AtomicInteger arrivals = new AtomicInteger();
+
     Samples(MessageCodec codec) {
       this.codec = codec;
     }
@@ -117,10 +121,16 @@ final class TwoSubscription implements Subscription {
     public void available(Reader us) {
       if (us.info().qos().depth() != EndpointQos.KEEP_ALL) node.takeAll(us, this::received);
       // Where all are wanted, who listens may have us wait, but not all others of this node.
-      else
-        GuardedThreads.SDK
-            .virtual("urbi-ros" + topic, () -> node.takeAll(us, this::received))
-            .start();
+      else if (arrivals.getAndIncrement() == 0)
+        GuardedThreads.SDK.virtual("urbi-ros" + topic, () -> takeAll(us)).start();
+    }
+
+    private void takeAll(Reader us) {
+      int seen;
+      do {
+        seen = arrivals.get();
+        node.takeAll(us, this::received);
+      } while (!arrivals.compareAndSet(seen, 0));
     }
 
     private void received(Sample sample) {
