@@ -327,6 +327,9 @@ class ArchitectureTest {
           .haveNameNotMatching("org\\.urbi\\.server\\.net\\.ModuleNetwork(\\$.*)?")
           .and()
           .haveNameNotMatching("urbi\\.remote\\.RemoteDatagrams(\\$.*)?")
+          .and()
+          // Nothing that a program can see depends on its secret, which must not be guessed either.
+          .doNotHaveFullyQualifiedName("org.urbi.kernel.object.EntryTable")
           .should()
           .accessTargetWhere(are(callsOf("a source of random numbers", DICE)));
 

@@ -417,18 +417,13 @@ public abstract class CompiledCode extends CallAccess {
    * The value of a key; null if there is none, or the dictionary or key is another than expected.
    */
   protected static @Nullable UrbiObject entry(UrbiObject target, UrbiObject key, Frame frame) {
-    return target instanceof UrbiDictionary dictionary && DictionaryKey.isPlain(key)
-        ? dictionary.entries().get(DictionaryKey.of(frame, key))
-        : null;
+    return target instanceof UrbiDictionary dictionary ? dictionary.getPlain(key) : null;
   }
 
   /** Whether there is a key; null if the dictionary or key is another than expected. */
   protected static @Nullable UrbiObject hasEntry(UrbiObject target, UrbiObject key, Frame frame) {
     return target instanceof UrbiDictionary dictionary && DictionaryKey.isPlain(key)
-        ? frame
-            .interpreter
-            .values()
-            .bool(dictionary.entries().containsKey(DictionaryKey.of(frame, key)))
+        ? frame.interpreter.values().bool(dictionary.getPlain(key) != null)
         : null;
   }
 
@@ -438,15 +433,10 @@ public abstract class CompiledCode extends CallAccess {
    */
   protected static boolean setEntry(
       UrbiObject target, UrbiObject key, UrbiObject value, Frame frame) {
-    if (target instanceof UrbiDictionary dictionary
-        && DictionaryKey.isPlain(key)
+    return target instanceof UrbiDictionary dictionary
         && dictionary.shape() == frame.interpreter.values().dictionaryProto.cloneShape()
-        && frame.job.isOwner()) {
-      dictionary.modify().put(DictionaryKey.of(frame, key), value);
-      dictionary.noteContentChange();
-      return true;
-    }
-    return false;
+        && frame.job.isOwner()
+        && dictionary.putPlain(key, value);
   }
 
   private static int place(double index, int size) {

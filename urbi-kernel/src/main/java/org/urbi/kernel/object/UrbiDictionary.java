@@ -2,7 +2,6 @@ package org.urbi.kernel.object;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -67,16 +66,29 @@ public final class UrbiDictionary extends UrbiObject {
   /** Going through the entries can be ended: there may be millions. A power of two. */
   private static final int STEPS_BETWEEN_CHECKS = 1 << 10;
 
-  private final LinkedHashMap<Key, UrbiObject> entries;
+  private final EntryTable entries;
 
   public UrbiDictionary(Shape shape, Map<Key, UrbiObject> entries) {
     super(shape);
-    this.entries = LinkedHashMap.newLinkedHashMap(entries.size());
+    this.entries = new EntryTable();
     int steps = 0;
     for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
       step(++steps);
       this.entries.put(entry.getKey(), entry.getValue());
     }
+  }
+
+  private UrbiDictionary(Shape shape, EntryTable entries) {
+    super(shape);
+    this.entries = entries;
+  }
+
+  public static Key key(UrbiString value) {
+    return new TextKey(value.value(), value);
+  }
+
+  public static Key key(UrbiFloat value) {
+    return new NumberKey(value.value(), value);
   }
 
   private void step(int number) {
@@ -89,6 +101,28 @@ public final class UrbiDictionary extends UrbiObject {
   public Map<Key, UrbiObject> entries() {
     noteContentRead();
     return entries;
+  }
+
+  /** The value of a key that calls no code; null if there is none, or the key is another. */
+  public @Nullable UrbiObject getPlain(UrbiObject key) {
+    noteContentRead();
+    if (key instanceof UrbiString text) {
+      return entries.get(text);
+    }
+    return key instanceof UrbiFloat number ? entries.get(number) : null;
+  }
+
+  /** Sets the value of a key that calls no code; false if it is another. */
+  public boolean putPlain(UrbiObject key, UrbiObject value) {
+    if (key instanceof UrbiString text) {
+      entries.put(text, value);
+    } else if (key instanceof UrbiFloat number) {
+      entries.put(number, value);
+    } else {
+      return false;
+    }
+    noteContentChange();
+    return true;
   }
 
   /** A copy of the entries, for whoever calls code that may change them meanwhile. */
@@ -133,6 +167,6 @@ public final class UrbiDictionary extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return new UrbiDictionary(cloneShape(), entries);
+    return new UrbiDictionary(cloneShape(), new EntryTable(entries));
   }
 }

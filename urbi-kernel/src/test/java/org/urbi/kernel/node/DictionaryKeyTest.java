@@ -30,7 +30,7 @@ class DictionaryKeyTest {
   void numbersInEqualStepsHaveNearlyAllAPlaceOfTheirOwn(double step) {
     Set<Integer> places = new HashSet<>();
     for (int i = 0; i < KEYS; i++) {
-      places.add(place(DictionaryKey.hash(i * step)));
+      places.add(place(UrbiDictionary.key(values.number(i * step)).hashCode()));
     }
     // Where chance alone decides, 3,223 places are taken.
     assertTrue(places.size() > KEYS * 6 / 10, () -> step + ": " + places.size() + " places");
@@ -39,28 +39,30 @@ class DictionaryKeyTest {
   @ParameterizedTest
   @ValueSource(doubles = {0.0, -0.0})
   void bothZerosAreTheSame(double zero) {
-    assertEquals(DictionaryKey.hash(0), DictionaryKey.hash(zero));
+    assertEquals(
+        UrbiDictionary.key(values.number(0)).hashCode(),
+        UrbiDictionary.key(values.number(zero)).hashCode());
   }
 
   /** A table of Java searches keys that meet one by one, unless they have an order. */
   @Test
   void textsWithTheSameHashCodeHaveTheOrderOfTheTexts() {
-    UrbiDictionary.Key small = DictionaryKey.of(values.string("AaAa"));
-    UrbiDictionary.Key great = DictionaryKey.of(values.string("BBBB"));
+    UrbiDictionary.Key small = UrbiDictionary.key(values.string("AaAa"));
+    UrbiDictionary.Key great = UrbiDictionary.key(values.string("BBBB"));
     assertEquals(small.hashCode(), great.hashCode());
     assertTrue(compare(small, great) < 0);
     assertTrue(compare(great, small) > 0);
-    assertEquals(0, compare(small, DictionaryKey.of(values.string("AaAa"))));
+    assertEquals(0, compare(small, UrbiDictionary.key(values.string("AaAa"))));
   }
 
   @Test
   void numbersWithTheSameHashCodeHaveTheirOrder() {
     double number = Double.longBitsToDouble(0x4000_0001_4000_0001L);
-    UrbiDictionary.Key small = DictionaryKey.of(values.number(0));
-    UrbiDictionary.Key great = DictionaryKey.of(values.number(number));
+    UrbiDictionary.Key small = UrbiDictionary.key(values.number(0));
+    UrbiDictionary.Key great = UrbiDictionary.key(values.number(number));
     assertEquals(small.hashCode(), great.hashCode());
     assertTrue(compare(small, great) < 0);
-    assertEquals(0, compare(small, DictionaryKey.of(values.number(-0.0))));
+    assertEquals(0, compare(small, UrbiDictionary.key(values.number(-0.0))));
   }
 
   @SuppressWarnings("unchecked") // Keys of one kind are compared with each other.
@@ -72,7 +74,7 @@ class DictionaryKeyTest {
   void whatIsNoNumberIsSpreadBecauseNoneEqualsAnother() {
     Set<Integer> hashes = new HashSet<>();
     for (int i = 0; i < KEYS; i++) {
-      hashes.add(DictionaryKey.of(values.number(Double.NaN)).hashCode());
+      hashes.add(UrbiDictionary.key(values.number(Double.NaN)).hashCode());
     }
     assertTrue(hashes.size() > KEYS / 2, () -> hashes.size() + " hash codes");
   }
