@@ -400,7 +400,7 @@ class CompiledCodeTest {
         Map.entry(
             "dictionaries have their entries and errors",
             """
-            function f(d, k) { d[k] += 1; d[k]++; [d.has(k), d[k], d[k] === d[k], d.has("none"), d.get(k)] }|;
+            function f(d, k) { d[k] += 1; d[k]++; [d.has(k), d[k], d[k] === d[k], d.has("none"), d.get(k), d.size] }|;
             f(["a" => 1], "a"); f(["a" => 1], "b"); f([1 => 1], 1); f([1 => 1], 1.5); f([true => 1], true);
             f([nil => 2], nil); f([=>], void); f([1, 2], 1); f("text", 1); f(nil, 1); f([[1] => 1], [1]);
             class K { function '=='(o) { echo("==") | true }; function hash { echo("hash") | "k".hash } }|;
@@ -408,6 +408,18 @@ class CompiledCodeTest {
             function add(d, k) { d[k] = 1; d.has(k) }|; add(watched, "c"); add(watched, "b"); sleep(1ms)|;
             class Mine : Dictionary { function '[]'(k) { 7 }; function has(k) { "mine" } }|; f(Mine.new, "a");
             Dictionary.has = function (k) { "all" }|; f(["a" => 1], "a"); f(["a" => 1], "c");
+            at (watched.size > 3) echo("many"); function size(d) { d.size }|; size(watched); add(watched, "d")|; sleep(1ms);
+            Dictionary.size = function () { "some" }|; size(watched); size([1, 2]); size("abc"); size(nil);
+            """),
+        Map.entry(
+            "what is not true is false",
+            """
+            function f(a) { var n = 0; if (!a) n = 1; while (!(n > 2 || !a)) n += 1; [!a, !!a, n, !(a == 1), (!a) === false] }|;
+            f(true); f(false); f(0); f(1); f(2); f(""); f("a"); f(nil); f([]); f([=>]); f(void); f(Boolean); f(Object.new);
+            class N { function '!'() { echo("!") | 7 } }|; f(N.new);
+            var b = false|; at (!b) echo("not b"); b = true|; sleep(1ms); b = false|; sleep(1ms);
+            function g(a) { if (!a) "no" else [!a, !(a == 1)] }|; g(true); g(false); g(1);
+            Boolean.'!' = function () { "never" }|; g(true); g(false); g(1);
             """),
         Map.entry(
             "objects are equal as they say",

@@ -11,6 +11,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Values;
 
 /**
  * What hot code is compiled to, and what such code calls. A value of it is a pair: a double, and an
@@ -471,10 +472,22 @@ public abstract class CompiledCode extends CallAccess {
     return false;
   }
 
-  /** The number of elements, or of characters; -1 if the target is something else. */
+  /** The other truth value; null if the target is something else. */
+  protected static @Nullable UrbiObject not(UrbiObject target, Frame frame) {
+    Values values = frame.interpreter.values();
+    if (target == values.trueObject) {
+      return values.falseObject;
+    }
+    return target == values.falseObject ? values.trueObject : null;
+  }
+
+  /** The number of elements, entries or characters; -1 if the target is something else. */
   protected static double size(UrbiObject target) {
     if (target instanceof UrbiList list) {
       return list.elements().size();
+    }
+    if (target instanceof UrbiDictionary dictionary) {
+      return dictionary.entries().size();
     }
     return target instanceof UrbiString text ? text.value().length() : -1;
   }

@@ -209,6 +209,8 @@ public final class Interpreter {
     shorten(values.listProto, "<<", Shortcut.APPEND);
     shorten(values.listProto, "size", Shortcut.SIZE_OF_LIST);
     shorten(values.stringProto, "size", Shortcut.SIZE_OF_TEXT);
+    shorten(values.dictionaryProto, "size", Shortcut.SIZE_OF_DICTIONARY);
+    shorten(values.booleanProto, "!", Shortcut.NOT);
     shorten(values.dictionaryProto, "[]", Shortcut.ENTRY);
     shorten(values.dictionaryProto, "[]=", Shortcut.SET_ENTRY);
     shorten(values.dictionaryProto, "has", Shortcut.HAS_ENTRY);

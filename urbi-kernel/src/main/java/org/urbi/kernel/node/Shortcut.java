@@ -12,6 +12,10 @@ public enum Shortcut {
   SIZE_OF_LIST,
   /** {@code text.size}. */
   SIZE_OF_TEXT,
+  /** {@code dictionary.size}. */
+  SIZE_OF_DICTIONARY,
+  /** {@code !condition}, of a truth value. */
+  NOT,
   /** {@code dictionary[key]}. */
   ENTRY,
   /** {@code dictionary[key] = value}. */

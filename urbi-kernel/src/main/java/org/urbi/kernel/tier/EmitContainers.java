@@ -39,7 +39,7 @@ final class EmitContainers {
     }
     int wanted =
         switch (known) {
-          case SIZE_OF_LIST, SIZE_OF_TEXT -> 0;
+          case SIZE_OF_LIST, SIZE_OF_TEXT, SIZE_OF_DICTIONARY, NOT -> 0;
           case ELEMENT, APPEND, ENTRY, HAS_ENTRY -> 1;
           case SET_ELEMENT, SET_ENTRY -> 2;
         };
@@ -94,7 +94,13 @@ final class EmitContainers {
             Names.FRAME);
         to.code.dup().astore(result.object()).ifnull(otherwise);
       }
-      case SIZE_OF_LIST, SIZE_OF_TEXT -> {
+      case NOT -> {
+        to.code.aload(target);
+        to.frame();
+        to.help("not", Names.OBJECT, Names.OBJECT, Names.FRAME);
+        to.code.dup().astore(result.object()).ifnull(otherwise);
+      }
+      case SIZE_OF_LIST, SIZE_OF_TEXT, SIZE_OF_DICTIONARY -> {
         to.code.aload(target);
         to.help("size", CD_double, Names.OBJECT);
         to.code.dup2().dstore(result.number()).dconst_0().dcmpl().iflt(otherwise);
