@@ -31,6 +31,7 @@ import urbi.UDictionary;
 
 /** A topic on which this node says something: who listens, and what each has still to get. */
 final class Publication {
+  /** So many wait for a subscriber where no number is wanted. */
   private static final int MAX_WAITING = 1000;
 
   /** Bytes that are no longer waiting, but being sent. */
@@ -125,7 +126,7 @@ final class Publication {
     }
 
     void offer(byte[] message) {
-      int most = qos.depth() == 0 ? MAX_WAITING : Math.min(qos.depth(), MAX_WAITING);
+      int most = qos.depth() == 0 ? MAX_WAITING : qos.depth();
       lock.lock();
       try {
         while (waiting.size() >= most) {
