@@ -240,6 +240,54 @@ class TwoNodeTest {
     }
   }
 
+  /** Who takes any type keeps that of the first publisher: another one is told, in both orders. */
+  @ParameterizedTest
+  @ValueSource(strings = {"embedded", "rcl"})
+  void aTypeThatChangesIsToldAndSurvived(String way) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node one = Ways.start(way, settings(domain.domain(), "", "one"), told::add);
+        TwoNode two = TwoNode.start(settings(domain.domain(), "", "two"), text -> {})) {
+      MessageType string = two.definitions().message("std_msgs/String");
+      MessageType number = two.definitions().message("std_msgs/Int32");
+      Heard heard = new Heard();
+      one.subscribe("x", null, Qos.DEFAULT, heard);
+      assertHeard("before", heard, two, string);
+      assertEquals(string.name(), Awaited.next(heard.types).name());
+      two.advertise("x", number, Qos.DEFAULT, new Publisher.Listener() {});
+      assertEquals(
+          "/urbi/x: /urbi/two publishes std_msgs/msg/Int32, this node has std_msgs/msg/String",
+          Awaited.next(told));
+      assertHeard("after", heard, two, string);
+      two.advertise("y", number, Qos.DEFAULT, new Publisher.Listener() {});
+      Awaited.until("/urbi/y", () -> Awaited.value(one.graph()).topics().containsKey("/urbi/y"));
+      one.subscribe("y", string, Qos.DEFAULT, new Heard());
+      assertEquals(
+          "/urbi/y: /urbi/two publishes std_msgs/msg/Int32, this node has std_msgs/msg/String",
+          Awaited.next(told));
+    }
+  }
+
+  /** A publisher that comes, says something and goes is heard. */
+  private static void assertHeard(String text, Heard heard, Node node, MessageType string)
+      throws Exception {
+    BlockingQueue<String> connected = new LinkedBlockingQueue<>();
+    try (Publisher publisher =
+        node.advertise(
+            "x",
+            string,
+            Qos.DEFAULT,
+            new Publisher.Listener() {
+              @Override
+              public void connected(String other) {
+                connected.add(other);
+              }
+            })) {
+      Awaited.next(connected);
+      publisher.publish(Templates.of(string).with("data", text));
+      assertEquals(text, Awaited.next(heard.messages).get("data").stringValue());
+    }
+  }
+
   @Test
   void otherTypesOfServicesAreTold() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
