@@ -4,6 +4,7 @@ import java.util.AbstractList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Objects;
 import java.util.RandomAccess;
 import java.util.function.Predicate;
@@ -70,13 +71,9 @@ public final class Elements extends AbstractList<UrbiObject> implements RandomAc
     }
     if (index < size / 2) {
       head = (head - 1) & (ring.length - 1);
-      for (int i = 0; i < index; i++) {
-        ring[at(i)] = ring[at(i + 1)];
-      }
+      moveForward(at(1), index);
     } else {
-      for (int i = size; i > index; i--) {
-        ring[at(i)] = ring[at(i - 1)];
-      }
+      moveBackward(at(index), size - index);
     }
     ring[at(index)] = element;
     size++;
@@ -89,10 +86,28 @@ public final class Elements extends AbstractList<UrbiObject> implements RandomAc
     if (size + added.length > ring.length) {
       grow(size + added.length);
     }
-    for (Object element : added) {
-      ring[at(size++)] = (UrbiObject) element;
-    }
+    int straight = Math.min(added.length, ring.length - at(size));
+    System.arraycopy(added, 0, ring, at(size), straight);
+    System.arraycopy(added, straight, ring, 0, added.length - straight);
+    size += added.length;
     return added.length > 0;
+  }
+
+  /**
+   * Adds a part of other elements at the end, or of these.
+   *
+   * @param begin the index of the first one
+   * @param end the index behind the last one
+   */
+  public void addRange(List<? extends UrbiObject> others, int begin, int end) {
+    Objects.checkFromToIndex(begin, end, others.size());
+    modCount++;
+    if (size + end - begin > ring.length) {
+      grow(size + end - begin);
+    }
+    for (int i = begin; i < end; i++) {
+      ring[at(size++)] = others.get(i);
+    }
   }
 
   @Override
@@ -101,15 +116,11 @@ public final class Elements extends AbstractList<UrbiObject> implements RandomAc
     modCount++;
     UrbiObject removed = ring[at(index)];
     if (index < size / 2) {
-      for (int i = index; i > 0; i--) {
-        ring[at(i)] = ring[at(i - 1)];
-      }
+      moveBackward(head, index);
       ring[head] = null;
       head = at(1);
     } else {
-      for (int i = index; i < size - 1; i++) {
-        ring[at(i)] = ring[at(i + 1)];
-      }
+      moveForward(at(index + 1), size - 1 - index);
       ring[at(size - 1)] = null;
     }
     size--;
@@ -159,6 +170,36 @@ public final class Elements extends AbstractList<UrbiObject> implements RandomAc
     head = 0;
     Arrays.fill(ring, null);
     System.arraycopy(sorted, 0, ring, 0, size);
+  }
+
+  /** Moves so many elements, of which the first is at that place of the ring, one place on. */
+  private void moveBackward(int place, int count) {
+    int straight = ring.length - place;
+    if (count < straight) {
+      System.arraycopy(ring, place, ring, place + 1, count);
+    } else {
+      System.arraycopy(ring, 0, ring, 1, count - straight);
+      ring[0] = ring[ring.length - 1];
+      System.arraycopy(ring, place, ring, place + 1, straight - 1);
+    }
+  }
+
+  /** Moves so many elements, of which the first is at that place of the ring, one place back. */
+  private void moveForward(int place, int count) {
+    if (count == 0) {
+      return;
+    }
+    int straight = Math.min(count, ring.length - place);
+    if (place > 0) {
+      System.arraycopy(ring, place, ring, place - 1, straight);
+    } else {
+      ring[ring.length - 1] = ring[0];
+      System.arraycopy(ring, 1, ring, 0, straight - 1);
+    }
+    if (straight < count) {
+      ring[ring.length - 1] = ring[0];
+      System.arraycopy(ring, 1, ring, 0, count - straight - 1);
+    }
   }
 
   private void grow(int capacity) {

@@ -97,7 +97,7 @@ public final class UrbiString extends UrbiObject {
     noteContentRead();
     StringBuilder shared = buffer;
     if (shared == null || own || shared.length() != length) {
-      shared = new StringBuilder(value());
+      shared = new StringBuilder(length + other.length()).append(value());
     }
     shared.append(other);
     buffer = shared;

@@ -115,9 +115,11 @@ final class ListType {
   }
 
   @Builtin(doc = "All elements but the first one.")
-  static List<UrbiObject> tail(Frame caller, CallSite site, UrbiList self) {
+  static UrbiList tail(Frame caller, CallSite site, UrbiList self) {
     List<UrbiObject> elements = notEmpty(caller, site, self);
-    return elements.subList(1, elements.size());
+    Elements tail = new Elements(elements.size() - 1);
+    copy(caller, elements, 1, tail);
+    return values(caller).listOf(tail);
   }
 
   private static List<UrbiObject> notEmpty(Frame caller, CallSite site, UrbiList self) {
@@ -213,15 +215,16 @@ final class ListType {
       value = "+=",
       doc = "Adds the elements of a list at the end; returns the target.",
       needs = Permission.CHANGE)
-  static UrbiObject addAll(UrbiList self, UrbiList that) {
-    self.modify().addAll(List.copyOf(that.elements()));
+  static UrbiObject addAll(Frame caller, UrbiList self, UrbiList that) {
+    caller.job().worked(that.elements().size());
+    self.modify().addAll(that.elements());
     return changed(self);
   }
 
   @Builtin(doc = "Deprecated: use '+='.", needs = Permission.CHANGE)
   static UrbiObject append(Frame caller, CallSite site, UrbiList self, UrbiList that) {
     Warnings.deprecated(caller, site, "list.append(that)", "list += that");
-    return addAll(self, that);
+    return addAll(caller, self, that);
   }
 
   @Builtin(
@@ -230,14 +233,14 @@ final class ListType {
   static UrbiObject remove(Frame caller, UrbiList self, UrbiObject val) {
     for (UrbiObject element : List.copyOf(self.elements())) {
       if (Comparison.equal(caller, element, val)) {
-        caller.job().worked(self.elements().size());
-        removeSame(self, element);
+        removeSame(caller, self, element);
       }
     }
     return self;
   }
 
-  private static void removeSame(UrbiList self, UrbiObject element) {
+  private static void removeSame(Frame caller, UrbiList self, UrbiObject element) {
+    caller.job().worked(self.elements().size());
     if (self.modify().removeIf(e -> e == element)) {
       self.noteContentChange();
     }
@@ -246,8 +249,8 @@ final class ListType {
   @Builtin(
       doc = "Removes all elements that are the very object; returns the target.",
       needs = Permission.CHANGE)
-  static UrbiObject removeById(UrbiList self, UrbiObject that) {
-    removeSame(self, that);
+  static UrbiObject removeById(Frame caller, UrbiList self, UrbiObject that) {
+    removeSame(caller, self, that);
     return self;
   }
 
@@ -270,10 +273,21 @@ final class ListType {
   // ------------------------------------------------------------------ new lists
 
   @Builtin(value = "+", doc = "The elements of the target, then those of another list.")
-  static List<UrbiObject> plus(UrbiList self, UrbiList other) {
-    List<UrbiObject> sum = new ArrayList<>(self.elements());
-    sum.addAll(other.elements());
-    return sum;
+  static UrbiList plus(Frame caller, UrbiList self, UrbiList other) {
+    Elements sum = new Elements(self.elements().size() + other.elements().size());
+    copy(caller, self.elements(), 0, sum);
+    copy(caller, other.elements(), 0, sum);
+    return values(caller).listOf(sum);
+  }
+
+  /** Adds elements from that index on to others, looking now and then whether the job is to end. */
+  private static void copy(Frame caller, List<UrbiObject> from, int begin, Elements to) {
+    int all = from.size();
+    for (int done = begin; done < all; done += PIECE) {
+      int end = Math.min(done + PIECE, all);
+      caller.job().worked(end - done);
+      to.addRange(from, done, end);
+    }
   }
 
   @Builtin(value = "-", doc = "The elements that are equal to none of another list.")
@@ -288,34 +302,34 @@ final class ListType {
   }
 
   @Builtin(value = "*", doc = "The elements, so many times.")
-  static List<UrbiObject> multiply(Frame caller, CallSite site, UrbiList self, UrbiFloat n) {
+  static UrbiList multiply(Frame caller, CallSite site, UrbiList self, UrbiFloat n) {
     List<UrbiObject> elements = self.elements();
     int count = Counting.ofLists(caller, site, 1, n, elements.size());
     int size = elements.size();
     int all = count * size;
-    List<UrbiObject> product = new ArrayList<>(all);
+    Elements product = new Elements(all);
     if (all > 0) {
-      product.addAll(elements);
+      copy(caller, elements, 0, product);
     }
     while (product.size() < all) {
       int done = product.size();
       int begin = done % size;
       int more = Math.min(Math.min(done - begin, all - done), PIECE);
       caller.job().worked(more);
-      product.addAll(product.subList(begin, begin + more));
+      product.addRange(product, begin, begin + more);
     }
-    return product;
+    return values(caller).listOf(product);
   }
 
   @Builtin(doc = "The elements, last one first.")
-  static List<UrbiObject> reverse(Frame caller, UrbiList self) {
+  static UrbiList reverse(Frame caller, UrbiList self) {
     List<UrbiObject> elements = self.elements();
-    List<UrbiObject> reversed = new ArrayList<>(elements.size());
+    Elements reversed = new Elements(elements.size());
     for (int i = elements.size() - 1; i >= 0; i--) {
       caller.job().worked(1);
       reversed.add(elements.get(i));
     }
-    return reversed;
+    return values(caller).listOf(reversed);
   }
 
   @Builtin(
