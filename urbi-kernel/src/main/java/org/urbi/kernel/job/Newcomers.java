@@ -20,6 +20,9 @@ final class Newcomers {
   private int births;
   private int descendants;
 
+  /** Whether some of those that the running job has started are of another lobby. */
+  private boolean strangers;
+
   Newcomers(RunQueue queue) {
     this.queue = queue;
   }
@@ -38,6 +41,7 @@ final class Newcomers {
         descendants++;
       }
       born.add(job.turn);
+      strangers |= job.account() != running.account();
     }
   }
 
@@ -64,18 +68,26 @@ final class Newcomers {
   }
 
   /**
-   * Those that the running job has started run next, in this round, or wait behind others; both in
-   * the order in which it has started them.
+   * Those that the running job has started run next, in this round, unless they {@linkplain
+   * #joinElsewhere wait}; in the order in which it has started them.
    */
   void joinRound() {
+    if (strangers) {
+      strangers = false;
+      joinElsewhere();
+    }
+    for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
+      queue.addToRound(child);
+    }
+  }
+
+  /** In a rush those of other lobbies wait behind others, also in their order. */
+  private void joinElsewhere() {
     for (int left = queue.isRushing() ? born.size() : 0; left > 0; left--) {
       Job child = born.poll();
       if (child != null && !queue.addElsewhere(child)) {
         born.add(child.turn);
       }
-    }
-    for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
-      queue.addToRound(child);
     }
   }
 
