@@ -58,6 +58,12 @@ public final class RclNode implements TwoHost {
   private final Set<AutoCloseable> open = ConcurrentHashMap.newKeySet();
   private volatile boolean closed;
 
+  /**
+   * Closes it when the program ends before it does: else the middleware would wait in its own end
+   * for its threads, which have been in Java code, and those for the virtual machine, for ever.
+   */
+  private final Thread atExit = GuardedThreads.SDK.platform("urbi-ros-exit", this::closeParts);
+
   private RclNode(TwoSettings settings, Installation installation, Consumer<String> people) {
     this.settings = settings;
     this.installation = installation;
@@ -99,7 +105,9 @@ public final class RclNode implements TwoHost {
   static RclNode start(TwoSettings settings, Installation installation, Consumer<String> people) {
     installation.load();
     Libraries.environment(RANGE, settings.range());
-    return new RclNode(settings, installation, people);
+    RclNode node = new RclNode(settings, installation, people);
+    Runtime.getRuntime().addShutdownHook(node.atExit);
+    return node;
   }
 
   private void changed() {
@@ -272,6 +280,15 @@ public final class RclNode implements TwoHost {
 
   @Override
   public void close() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(atExit);
+    } catch (IllegalStateException e) {
+      // The program is ending: whoever comes first closes it.
+    }
+    closeParts();
+  }
+
+  private synchronized void closeParts() {
     if (closed) return;
     closed = true;
     for (AutoCloseable each : List.copyOf(open)) {

@@ -53,6 +53,35 @@ class InstallationTest {
     return refused.getMessage();
   }
 
+  /** The threads of the middleware have been in Java code: nobody waits for them in vain. */
+  @Test
+  void aProgramMayEndWithoutClosingItsNode() throws Exception {
+    Path installation = Ways.installation();
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode other = TwoNode.start(settings(domain.domain(), "other"), told::add)) {
+      MessageType type = other.definitions().message("std_msgs/String");
+      other
+          .advertise("x", type, Qos.LATCHED, new Publisher.Listener() {})
+          .publish(Templates.of(type).with("data", "heard"));
+      Process program =
+          new ProcessBuilder(
+                  ProcessHandle.current().info().command().orElseThrow(),
+                  "--enable-native-access=ALL-UNNAMED",
+                  "-cp",
+                  System.getProperty("java.class.path"),
+                  EndsWithoutClosing.class.getName(),
+                  "" + domain.domain(),
+                  installation.toAbsolutePath().toString())
+              .inheritIO()
+              .start();
+      try {
+        assertEquals(7, Awaited.value(program.onExit()).exitValue());
+      } finally {
+        program.destroyForcibly();
+      }
+    }
+  }
+
   @Test
   void whatIsNotInstalledIsNotUsed() throws Exception {
     String source =
