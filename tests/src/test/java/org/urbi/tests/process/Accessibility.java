@@ -8,7 +8,7 @@ import java.io.IOException;
 final class Accessibility {
   /**
    * Finds what is wrong, in lines: controls without a name, or with one that whoever speaks to the
-   * machine cannot read on them; text that is hard to read.
+   * machine cannot read on them; parts of the page with the same name; text that is hard to read.
    */
   private static final String FAULTS =
       """
@@ -22,11 +22,22 @@ final class Accessibility {
         || (['INPUT', 'SELECT', 'TEXTAREA'].includes(element.tagName) ? '' : text(element)) || element.title;
       for (const element of document.querySelectorAll('button, select, input, textarea, a[href], [tabindex], iframe')) {
         if (seen(element) && !name(element)) faults.add(shown(element) + ' has no name');
-        const label = element.tagName === 'BUTTON' ? text(element) : '';
-        if (seen(element) && /\\w/.test(label) && !name(element).toLowerCase().includes(label.toLowerCase())) {
+        if (element.tabIndex > 0) faults.add(shown(element) + ' is out of order for Tab');
+      }
+      const plain = (words) => words.toLowerCase().replace(/[^\\p{L}\\p{N}]+/gu, '');
+      for (const element of document.querySelectorAll('button, [role=treeitem]')) {
+        const label = element.ariaLabel && seen(element) ? element.innerText : '';
+        if (!plain(name(element)).includes(plain(label))) {
           faults.add('"' + label + '" is not in the name of ' + shown(element) + ': ' + name(element));
         }
-        if (element.tabIndex > 0) faults.add(shown(element) + ' is out of order for Tab');
+      }
+      const landmarks = new Set();
+      for (const element of document.querySelectorAll('[role=region], section, form')) {
+        const called = element.ariaLabel || text(document.getElementById(element.getAttribute('aria-labelledby')));
+        const landmark = (element.tagName === 'FORM' ? 'form ' : 'region ') + called;
+        if (!called || !seen(element)) continue;
+        if (landmarks.has(landmark)) faults.add('two parts of the page are the ' + landmark);
+        landmarks.add(landmark);
       }
       for (const element of document.querySelectorAll('[role=tree] [role]:not([role=treeitem], [role=group], [role=treeitem] *)')) {
         if (!element.closest('[aria-hidden=true]')) faults.add(shown(element) + ' is in a tree, and no item of it');

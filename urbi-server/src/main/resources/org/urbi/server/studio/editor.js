@@ -72,7 +72,8 @@ export class Editor {
           autocompletion({ override: [(context) => completions(context, complete)] }),
           keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
           oneLine ? [] : lineNumbers(),
-          EditorView.contentAttributes.of({ "aria-label": label }),
+          // Who may not type scrolls by keys all the same.
+          EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             if (update.docChanged) this.typed(changed);
           }),

@@ -91,7 +91,6 @@ export class JobList {
     what.children[0].textContent = line.children ? (line.open ? "▾" : "▸") : "";
     if (!line.job) {
       what.children[2].textContent = `${line.children} ${line.children === 1 ? "job" : "jobs"}`;
-      row.setAttribute("aria-label", `${line.lobby}, ${line.children} jobs`);
       return;
     }
     // The row of a line may be that of an earlier look at the same job.
@@ -111,10 +110,8 @@ export class JobList {
     const percent = job.share / 10;
     share.firstChild.value = percent;
     share.lastChild.textContent = percent ? `${percent.toFixed(1)} %` : "";
-    row.setAttribute(
-      "aria-label",
-      `${job.code || job.name}, ${kind === "running" || kind === "frozen" ? kind : `waits for ${kind}`}, ${percent} percent`,
-    );
+    const waits = kind === "running" || kind === "frozen" ? kind : `waits for ${kind}`;
+    row.setAttribute("aria-description", `${waits}, ${percent} percent`);
   }
 
   create(line) {
@@ -124,8 +121,12 @@ export class JobList {
     row.dataset.key = line.key;
     const cells = element("div", "cells");
     const what = element("div", "what");
-    what.append(element("span", "twisty"), element("span", "code", line.lobby ?? ""), element("span", "name"));
+    const twisty = element("span", "twisty");
+    twisty.ariaHidden = true;
+    what.append(twisty, element("span", "code", line.lobby ?? ""), element("span", "name"));
     const share = element("div", "share");
+    // The name of the item is what is written in it; its share is told behind that.
+    share.ariaHidden = true;
     if (line.job) {
       const meter = element("meter");
       meter.max = 100;

@@ -60,14 +60,12 @@ export class Navigation {
     opened.room.show?.(plain);
   }
 
-  async make({ name, title, styles = [], load }) {
+  async make({ name, styles = [], load }) {
     try {
       const [{ Room }] = await Promise.all([load(), ...styles.map(addStyle)]);
       const host = document.createElement("div");
       host.className = "room";
       host.dataset.room = name;
-      host.role = "region";
-      host.setAttribute("aria-label", title);
       host.hidden = true;
       this.main.append(host);
       const room = new Room(this.studio, host);

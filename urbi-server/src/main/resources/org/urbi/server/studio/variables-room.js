@@ -115,8 +115,8 @@ export class Room {
     row.setAttribute("aria-level", line.level);
     const what = make("div", "", { className: "what" });
     what.style.paddingLeft = `${(line.level - 1) * INDENT}rem`;
-    what.append(make("span", "", { className: "twisty" }), make("span", line.name, { className: "name" }), make("span", "", { className: "type" }));
-    row.append(what, make("div", "", { className: "value" }), make("div", "", { className: "number" }), make("div", "", { className: "number" }));
+    what.append(make("span", "", { className: "twisty", ariaHidden: true }), make("span", line.name, { className: "name" }), make("span", "", { className: "type" }));
+    row.append(what, make("div", "", { className: "value" }), make("div", "", { className: "number", ariaHidden: true }), make("div", "", { className: "number", ariaHidden: true }));
     return row;
   }
 
@@ -132,7 +132,6 @@ export class Room {
     set(rate, perSecond ? perSecond.toFixed(perSecond < 10 ? 1 : 0) : "");
     set(last, slot?.variable ? ago(slot.last, this.objects.now) : "");
     row.setAttribute("aria-selected", line.way === this.selected);
-    row.setAttribute("aria-label", slot ? `${line.name}, ${slot.type}, ${slot.value}` : line.name);
     if (line.opens) row.setAttribute("aria-expanded", open);
     else row.removeAttribute("aria-expanded");
   }
