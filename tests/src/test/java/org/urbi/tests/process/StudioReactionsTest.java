@@ -60,6 +60,8 @@ class StudioReactionsTest {
     urbi.awaitText("[[7, \"red\"]]");
     browser.evaluate(StudioPage.type("#payload", "3 +") + submit);
     browser.await("what is wrong", result, text -> text.contains("syntax error"));
+    String alerted = "return !document.querySelector('#alert').hidden";
+    assertEquals("false", browser.evaluate(alerted), "what is told beside the button is told once");
     browser.evaluate(StudioPage.type("#payload", "nobody") + submit);
     browser.await("what is wrong", result, text -> text.contains("lookup failed: nobody"));
     urbi.send("held.size + 100;\n");

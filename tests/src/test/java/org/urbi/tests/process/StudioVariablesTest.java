@@ -16,6 +16,7 @@ class StudioVariablesTest {
       class Global.Motor : UObject { function init() { UVar.new(this, "speed") } }|;
       var Global.motor = Motor.new|;
       motor.speed = 0|;
+      var motor.orientation = 0|;
       motor.speed->rangemin = -10|; motor.speed->rangemax = 10|;
       var Global.x = 0|; var Global.y = 100|;
       var Global.image = Binary.new("rgb 2 1", "\\xff\\x00\\x00\\x00\\xff\\x00")|;
@@ -46,6 +47,7 @@ class StudioVariablesTest {
       browser.await("a slot", value("Global .y"), "100"::equals);
       browser.evaluate(line("Global .motor") + ".querySelector('.twisty').click()");
       browser.await("a slot of an object", value("Global .motor .speed"), "0"::equals);
+      readsNames(browser);
       assigns(browser, page.urbi());
       slides(browser, page.urbi());
       plots(browser);
@@ -59,6 +61,17 @@ class StudioVariablesTest {
     }
   }
 
+  /** On a small screen the types give way, not the names. */
+  private static void readsNames(Browser browser) throws Exception {
+    browser.becomeScreen(1000, 700);
+    String cut =
+        "return [...document.querySelectorAll('.line .name')]"
+            + ".filter(({scrollWidth, clientWidth}) => scrollWidth > clientWidth)"
+            + ".map((name) => name.textContent).join()";
+    browser.await("whole names", cut, ""::equals);
+    browser.becomeUsual();
+  }
+
   private static void assigns(Browser browser, JavaProcess urbi) throws Exception {
     browser.evaluate(line("Global .y") + ".click()");
     String submit = "; document.querySelector('#assign').requestSubmit()";
@@ -70,6 +83,8 @@ class StudioVariablesTest {
     String result = StudioPage.text("#slot-result");
     browser.await("what is wrong", result, t -> t.contains("lookup failed: nobody"));
     browser.await("the same value", value("Global .y"), "21"::equals);
+    String alerted = "return !document.querySelector('#alert').hidden";
+    assertEquals("false", browser.evaluate(alerted), "what is told below the field is told once");
   }
 
   private static void slides(Browser browser, JavaProcess urbi) throws Exception {

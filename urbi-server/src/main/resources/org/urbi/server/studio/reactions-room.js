@@ -110,7 +110,10 @@ export class Room {
     if (!event) return;
     const result = this.find("emission-result");
     result.textContent = "…";
-    const { error } = await this.studio.ask({ type: "emit", event: event.number, payload: this.find("payload").value });
+    const { error } = await this.studio.ask(
+      { type: "emit", event: event.number, payload: this.find("payload").value },
+      { quiet: true },
+    );
     result.textContent = error || `${event.name} was emitted.`;
     result.classList.toggle("bad", Boolean(error));
   }

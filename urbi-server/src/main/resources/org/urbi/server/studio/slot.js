@@ -138,8 +138,11 @@ export class Slot {
 
   async assign(value) {
     const { way } = this;
-    const { error } = await this.studio.ask({ type: "assign", way, value });
-    if (way !== this.way) return;
+    const { error } = await this.studio.ask({ type: "assign", way, value }, { quiet: true });
+    if (way !== this.way) {
+      if (error) this.studio.alert(error);
+      return;
+    }
     set(this.find("slot-result"), error || "It was assigned.");
     this.find("slot-result").classList.toggle("bad", Boolean(error));
   }
