@@ -38,10 +38,19 @@ public final class NativeThreads {
    */
   public static void halt(int status) {
     if (!ALL.isEmpty() && ALL.stream().anyMatch(Thread::isAlive)) {
-      NativeLibrary c = NativeLibrary.getProcess();
-      c.getFunction("fflush").invokeInt(new Object[] {null});
-      c.getFunction("_exit").invokeVoid(new Object[] {status});
+      NativeLibrary.getProcess().getFunction("fflush").invokeInt(new Object[] {null});
+      exit(status);
     }
     Runtime.getRuntime().halt(status);
+  }
+
+  /** Ends the process without asking the virtual machine, if that can be done. */
+  public static void exit(int status) {
+    try {
+      NativeLibrary.getProcess().getFunction("_exit").invokeVoid(new Object[] {status});
+    } finally {
+      // Where memory is exhausted, or there is no such function.
+      Runtime.getRuntime().halt(status);
+    }
   }
 }

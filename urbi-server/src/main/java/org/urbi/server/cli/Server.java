@@ -138,6 +138,8 @@ final class Server {
         outputLost = !settings.keepsServing() && local.isOutputLost();
       }
       watchdog().stop();
+      // There is no kernel left to be ended in order.
+      obeySignals(true);
     }
   }
 
@@ -170,13 +172,16 @@ final class Server {
     }
   }
 
-  /** The programs that were started end as well. */
+  /**
+   * The programs that were started end as well. An orderly halt of the virtual machine waits for
+   * its own threads and for whoever halts it already, so this one does not even ask it.
+   */
   private void giveUp(int status) {
     try {
       ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
       lastWords.run();
     } finally {
-      Runtime.getRuntime().halt(status);
+      NativeThreads.exit(status);
     }
   }
 

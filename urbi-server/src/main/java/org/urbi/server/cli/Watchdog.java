@@ -64,9 +64,12 @@ final class Watchdog {
     terminating = clock.now();
   }
 
-  /** Stops watching. */
+  /**
+   * Stops watching a kernel that has ended. Who was asked to terminate is watched until it is gone:
+   * what the process does after its last kernel may never end either.
+   */
   void stop() {
-    over = true;
+    over = terminating == 0;
   }
 
   private void watch() {

@@ -56,4 +56,15 @@ class WatchdogTest {
       watchdog.stop();
     }
   }
+
+  /** What comes after its last kernel may never end either. */
+  @Test
+  void processThatIsTerminatedIsWatchedUntilItIsGone() throws Exception {
+    try (Kernel kernel = Kernel.builder().start()) {
+      Watchdog watchdog = watchdog(kernel, 0, Duration.ZERO);
+      watchdog.terminating();
+      watchdog.stop();
+      assertEquals(ExitStatus.TERMINATED, status());
+    }
+  }
 }
