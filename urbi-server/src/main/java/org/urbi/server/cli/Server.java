@@ -174,7 +174,8 @@ final class Server {
 
   /**
    * The programs that were started end as well. An orderly halt of the virtual machine waits for
-   * its own threads and for whoever halts it already, so this one does not even ask it.
+   * whoever halts it already, and until each of its threads has come to a safepoint: one that never
+   * comes there would keep the process for ever.
    */
   private void giveUp(int status) {
     try {
