@@ -498,6 +498,16 @@ class StudioServerTest {
         assertTrue(observer.await("\"id\":2,\"error\"").contains("needs the role user"));
         observer.send("{\"type\":\"open\",\"id\":3,\"name\":\"walk.u\"}");
         assertTrue(observer.await("\"id\":3,").contains("the role observer has no files"));
+        observer.send(
+            "{\"type\":\"save\",\"id\":4,\"name\":\"x.u\",\"text\":\"1\",\"version\":\"\"}");
+        assertTrue(observer.await("\"id\":4,").contains("the role observer has no files"));
+        kernel.eval("var Global.kept = 3|");
+        observer.send("{\"type\":\"variables\",\"objects\":[\"Global\"]}");
+        observer.await("\"name\":\"kept\"");
+        observer.send(
+            "{\"type\":\"assign\",\"id\":5,\"way\":\"Global\\n.kept\",\"value\":\"Global.kept = 7\"}");
+        assertTrue(observer.await("\"id\":5,").contains("needs the role owner"));
+        assertEquals(3.0, kernel.eval("Global.kept"));
       }
       try (Browser wrong = new Browser(guarded, "?token=fedcba9876543210")) {
         assertTrue(wrong.await("\"refused\"").contains("wrong token"));
