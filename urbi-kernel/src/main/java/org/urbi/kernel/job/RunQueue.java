@@ -3,7 +3,6 @@ package org.urbi.kernel.job;
 import static org.urbi.kernel.journal.Journal.NOBODY;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
@@ -78,11 +77,6 @@ class RunQueue {
   /** No lobby: behind all indexes. */
   private static final int MACHINE = Integer.MAX_VALUE;
 
-  // Those that Comparator makes are in no start-up cache.
-  private static final Comparator<Share> AGE = (a, b) -> Long.compare(a.number, b.number);
-  private static final Comparator<Share> PLACE =
-      (a, b) -> a.place == b.place ? AGE.compare(a, b) : Long.compare(a.place, b.place);
-
   private final Clock clock;
   private final Timers timers;
   private final Inbox inbox;
@@ -101,7 +95,7 @@ class RunQueue {
   private final Map<Budget, Share> shares = new WeakHashMap<>();
 
   /** The queues to be served in this round of a rush; none is empty. */
-  private final PriorityQueue<Share> round = new PriorityQueue<>(PLACE);
+  private final PriorityQueue<Share> round = new PriorityQueue<>(Share.PLACE);
 
   /** The queues that have been served in this round, or were empty when it began. */
   private final List<Share> served = new ArrayList<>();
@@ -171,6 +165,9 @@ class RunQueue {
 
   /** How many of them there are. */
   private int modestOnes;
+
+  /** Whether a job that was started in this round waits behind jobs of its lobby. */
+  private boolean elsewhere;
 
   /** How many rounds rushes have had. */
   private long rounds;
@@ -252,6 +249,7 @@ class RunQueue {
     if (queue.add(job.turn)) {
       count(queue);
     }
+    elsewhere = true;
     return true;
   }
 
@@ -328,6 +326,7 @@ class RunQueue {
       return;
     }
     rounds++;
+    elsewhere = false;
     if (cuttable) {
       workedAtLook = worked.getAsLong();
       workLooked = roundBegan;
@@ -392,7 +391,9 @@ class RunQueue {
   private @Nullable Job nextInRush() {
     Share next = !current.jobs.isEmpty() && (left > 0 || goesOn()) ? current : round.peek();
     if (next == null) {
-      relax();
+      if (!elsewhere) {
+        relax();
+      }
       return null;
     }
     Job first = next.jobs.first();
@@ -580,9 +581,9 @@ class RunQueue {
     }
   }
 
-  /** Ends the separate queues: all jobs have had their turn in time. */
+  /** Ends the separate queues: all have had their turn in time, and nobody could be overtaken. */
   private void relax() {
-    served.sort(AGE);
+    served.sort(Share.AGE);
     for (Share share : served) {
       for (Job job = share.jobs.poll(); job != null; job = share.jobs.poll()) {
         together.add(job.turn);

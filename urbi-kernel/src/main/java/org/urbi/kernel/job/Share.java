@@ -1,7 +1,14 @@
 package org.urbi.kernel.job;
 
+import java.util.Comparator;
+
 /** The jobs of one budget in a rush, and what the rounds that they had have cost the others. */
 final class Share {
+  // Those that Comparator makes are in no start-up cache.
+  static final Comparator<Share> AGE = (a, b) -> Long.compare(a.number, b.number);
+  static final Comparator<Share> PLACE =
+      (a, b) -> a.place == b.place ? AGE.compare(a, b) : Long.compare(a.place, b.place);
+
   final JobList jobs = new JobList();
   final long number;
 

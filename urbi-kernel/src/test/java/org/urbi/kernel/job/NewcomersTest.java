@@ -1,6 +1,7 @@
 package org.urbi.kernel.job;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -14,6 +15,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** When those run that a job has started in its turn. */
 class NewcomersTest {
   private static final long TOO_LONG = 5_000_000;
+  private static final long TURN = 400_000;
 
   private final ManualClock clock = ManualClock.real();
   private final Loop loop = new Loop();
@@ -86,5 +88,38 @@ class NewcomersTest {
     assertEquals("b3 b4 b5 a2 a3 a4 a5", rest());
     beginRound();
     assertEquals("c1 c2 c3", rest());
+  }
+
+  /** Who has waited since a rush must not be overtaken by what is started when it is over. */
+  @Test
+  void whoWaitsElsewhereAtTheEndOfARushIsNotOvertaken() {
+    queue.add(job("a1"));
+    queue.add(job("c1"));
+    queue.add(job("a2"));
+    queue.add(job("b1"));
+    beginRound();
+    next();
+    clock.now += TOO_LONG;
+    assertEquals("", rest());
+    beginRound();
+    assertEquals("c1", names.get(next()));
+    assertEquals("b1", names.get(next()));
+    Job second = next();
+    assertEquals("a2", names.get(second));
+    starts(second, "b2");
+    queue.add(job("a3"));
+    clock.now += TURN;
+    assertEquals("", rest());
+    List<String> ran = new ArrayList<>();
+    while (ran.size() < 3) {
+      beginRound();
+      for (Job job = queue.next(); job != null; job = queue.next()) {
+        ran.add(names.get(job));
+        if (ran.getLast().equals("a3")) {
+          starts(job, "b3");
+        }
+      }
+    }
+    assertTrue(ran.indexOf("b2") < ran.indexOf("b3"), ran::toString);
   }
 }
