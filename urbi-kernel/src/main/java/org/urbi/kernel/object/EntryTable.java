@@ -23,6 +23,9 @@ import org.urbi.kernel.object.UrbiDictionary.Key;
 final class EntryTable extends AbstractMap<Key, UrbiObject> {
   private static final int FEWEST = 4;
 
+  /** So many cells are copied between two checkpoints. */
+  private static final int PIECE = 1 << 12;
+
   /** By chance, so many entries stand in a row in no table that fits into a memory. */
   private static final int LONGEST_ROW = 128;
 
@@ -69,14 +72,27 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
 
   EntryTable() {}
 
-  EntryTable(EntryTable other) {
-    keys = other.keys.clone();
-    values = other.values.clone();
-    index = other.index.clone();
+  /**
+   * A copy.
+   *
+   * @param checkpoint called now and then, since there may be millions of entries
+   */
+  EntryTable(EntryTable other, Runnable checkpoint) {
+    keys = copied(other.keys, new Key[other.keys.length], other.keys.length, checkpoint);
+    values = copied(other.values, new UrbiObject[keys.length], keys.length, checkpoint);
+    index = copied(other.index, new long[other.index.length], other.index.length, checkpoint);
     shift = other.shift;
     used = other.used;
     size = other.size;
     secret = other.secret;
+  }
+
+  private static <T> T copied(T from, T to, int length, Runnable checkpoint) {
+    for (int done = 0; done < length; done += PIECE) {
+      checkpoint.run();
+      System.arraycopy(from, done, to, done, Math.min(PIECE, length - done));
+    }
+    return to;
   }
 
   // ------------------------------------------------------------------ hash codes

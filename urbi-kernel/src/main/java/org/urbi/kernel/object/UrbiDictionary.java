@@ -167,6 +167,6 @@ public final class UrbiDictionary extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return new UrbiDictionary(cloneShape(), new EntryTable(entries));
+    return new UrbiDictionary(cloneShape(), new EntryTable(entries, world()::passCheckpoint));
   }
 }

@@ -112,7 +112,7 @@ class EntryTableTest {
         assertEquals(new ArrayList<>(expected.entrySet()), new ArrayList<>(found.entrySet()));
         // A copy knows nothing of what becomes of the other one.
         EntryTable before = found;
-        found = new EntryTable(before);
+        found = new EntryTable(before, () -> {});
         before.clear();
         assertTrue(before.isEmpty());
       }
@@ -246,7 +246,7 @@ class EntryTableTest {
     assertEquals(colliding(0).hashCode(), colliding(77).hashCode());
     putAndFind(i -> text(colliding(i)));
     assertTrue(table.isSecret());
-    EntryTable copy = new EntryTable(table);
+    EntryTable copy = new EntryTable(table, () -> {});
     assertTrue(copy.containsKey(text(colliding(5))));
     copy.clear();
     copy.put(text("a"), values.nil);
