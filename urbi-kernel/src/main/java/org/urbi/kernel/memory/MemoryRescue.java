@@ -148,7 +148,10 @@ final class MemoryRescue {
       attempt(users, urgent);
     } catch (Error e) {
       // There was no memory for it: it is tried again, as long as there is hope.
-      if (began && isOver(worked.getAsLong())) {
+      long now = worked.getAsLong();
+      if (!began) {
+        begin(now);
+      } else if (isOver(now)) {
         giveUp(users);
       }
     }
@@ -167,12 +170,7 @@ final class MemoryRescue {
       return;
     }
     if (!began) {
-      began = true;
-      told = true;
-      since = now - leftFromBefore(now);
-      relievedAt = now;
-      relieved = false;
-      asked = null;
+      begin(now);
       each(users, FULL);
     }
     boolean done = isDone();
@@ -186,6 +184,15 @@ final class MemoryRescue {
             && (urgent || !isRelieved())) {
       relieve(users);
     }
+  }
+
+  private void begin(long now) {
+    began = true;
+    told = true;
+    since = now - leftFromBefore(now);
+    relievedAt = now;
+    relieved = false;
+    asked = null;
   }
 
   /**
@@ -268,8 +275,12 @@ final class MemoryRescue {
     gaveUp = true;
     gaveUpAt = worked.getAsLong();
     until = since;
-    // Whoever was ended before and fills the memory again is to be ended again.
-    each(users, NOT_SCARCE);
+    try {
+      // Whoever was ended before and fills the memory again is to be ended again.
+      each(users, NOT_SCARCE);
+    } catch (Error e) {
+      // There is no memory for that either.
+    }
     each(users, EXHAUSTED);
   }
 

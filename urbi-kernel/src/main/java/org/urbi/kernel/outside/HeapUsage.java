@@ -1,10 +1,12 @@
 package org.urbi.kernel.outside;
 
+import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.GarbageCollectorMXBean;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
 import java.lang.management.MemoryUsage;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -27,15 +29,25 @@ public final class HeapUsage implements Heap {
   private static final int RESERVE_PART = 64;
 
   /**
+   * Whole regions are no more than this fraction of the heap, a 12th, in all, but for the first.
+   */
+  private static final int REGIONS_PART = 12;
+
+  /** More than what an array has beside its bytes. */
+  private static final int HEADER = 64;
+
+  /**
    * The old generation; looked up only in programs that live for some time, because that takes
    * long.
    */
   private @Nullable MemoryPoolMXBean old;
 
-  private List<GarbageCollectorMXBean> collectors = List.of();
-  private List<GarbageCollectorMXBean> oldCollectors = List.of();
+  // In arrays: who goes through a list makes an object, for which there may be no memory.
+  private GarbageCollectorMXBean[] collectors = {};
+  private GarbageCollectorMXBean[] oldCollectors = {};
   private final RoomLeft room = new RoomLeft();
-  private final byte[] @Nullable [] reserves = new byte[RESERVES][];
+  private byte[] @Nullable [] reserves = new byte[RESERVES][];
+  private int reserve = (int) Math.min(RESERVE, all() / RESERVE_PART);
 
   @Override
   public boolean isScarce() {
@@ -77,15 +89,29 @@ public final class HeapUsage implements Heap {
       collectors =
           ManagementFactory.getGarbageCollectorMXBeans().stream()
               .filter(bean -> !bean.getName().matches(".*(Cycles|Concurrent).*"))
-              .toList();
+              .toArray(GarbageCollectorMXBean[]::new);
       String name = known.getName();
       oldCollectors =
-          collectors.stream()
+          Arrays.stream(collectors)
               .filter(bean -> List.of(bean.getMemoryPoolNames()).contains(name))
               .filter(bean -> !bean.getName().contains("Young"))
-              .toList();
+              .toArray(GarbageCollectorMXBean[]::new);
+      if (name.startsWith("G1")) {
+        reserveRegions();
+      }
     }
     return known;
+  }
+
+  /**
+   * G1 gives memory by whole regions: what is free in one of which a part is in use is of no use.
+   * An array that fills more than half of a region has it alone, and it is free with the array.
+   */
+  private void reserveRegions() {
+    var machine = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
+    long region = Long.parseLong(machine.getVMOption("G1HeapRegionSize").getValue());
+    reserve = (int) (region / 2) + HEADER;
+    reserves = new byte[Math.clamp(all() / REGIONS_PART / region, 1, RESERVES)][];
   }
 
   @Override
@@ -115,7 +141,7 @@ public final class HeapUsage implements Heap {
     return count(oldCollectors);
   }
 
-  private static long count(List<GarbageCollectorMXBean> of) {
+  private static long count(GarbageCollectorMXBean[] of) {
     long count = 0;
     for (GarbageCollectorMXBean each : of) {
       count += each.getCollectionCount();
@@ -139,17 +165,16 @@ public final class HeapUsage implements Heap {
 
   @Override
   public void keepReserve() {
-    for (int i = 0; i < RESERVES; i++) {
+    for (int i = 0; i < reserves.length; i++) {
       if (reserves[i] == null) {
-        reserves[i] =
-            new byte[(int) Math.min(RESERVE, Runtime.getRuntime().maxMemory() / RESERVE_PART)];
+        reserves[i] = new byte[reserve];
       }
     }
   }
 
   @Override
   public void releaseReserve() {
-    for (int i = 0; i < RESERVES; i++) {
+    for (int i = 0; i < reserves.length; i++) {
       if (reserves[i] != null) {
         reserves[i] = null;
         return;

@@ -392,4 +392,20 @@ class MemoryRescueTest {
     assertEquals("0.01 one full\n0.01 one ended\n", events.toString());
     assertFalse(heap.reserved);
   }
+
+  /** Where there is no memory even to look, from the first moment on, the process is to end. */
+  @Test
+  void memoryOfWhichThereIsNoneForALookIsTold() {
+    Kernel blind =
+        new Kernel("blind", 10) {
+          @Override
+          public void memoryScarce(boolean scarce) {
+            throw new OutOfMemoryError();
+          }
+        };
+    for (int i = 0; i < 24; i++) {
+      fail(0.25, blind);
+    }
+    assertEquals("4.5 blind exhausted\n", events.toString());
+  }
 }
