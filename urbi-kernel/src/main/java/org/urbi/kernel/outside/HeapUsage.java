@@ -31,7 +31,7 @@ public final class HeapUsage implements Heap {
   /**
    * Whole regions are no more than this fraction of the heap, a 12th, in all, but for the first.
    */
-  private static final int REGIONS_PART = 12;
+  private static final int REGIONS_PART = 6;
 
   /** More than what an array has beside its bytes. */
   private static final int HEADER = 64;
