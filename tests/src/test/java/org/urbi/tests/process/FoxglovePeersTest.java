@@ -5,16 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.tests.TestTimeout;
 import org.urbi.tests.process.JavaProcess.Setting;
 
 /** What others make of variables: Foxglove's own client, and the reader of MCAP files. */
@@ -40,15 +42,26 @@ class FoxglovePeersTest {
   /** What a program says until it ends. */
   private static List<String> run(Map<String, String> environment, String... command)
       throws IOException, InterruptedException {
+    Path said = Files.createTempFile("peer", ".txt");
     ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
-    builder.environment().putAll(environment);
+    builder.redirectOutput(said.toFile()).environment().putAll(environment);
     Process process = builder.start();
     try {
-      String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      assertEquals(0, process.waitFor(), text);
-      return text.lines().toList();
+      boolean ended = process.waitFor(TestTimeout.LONG.toMillis(), TimeUnit.MILLISECONDS);
+      // What one that waits for more has heard tells for what it waits.
+      assertEquals(0, ended ? process.exitValue() : null, () -> text(said));
+      return text(said).lines().toList();
     } finally {
       process.destroyForcibly();
+      Files.delete(said);
+    }
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 
