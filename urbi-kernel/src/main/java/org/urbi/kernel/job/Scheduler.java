@@ -98,8 +98,8 @@ public final class Scheduler {
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
     this.time = new TickTime(clock, journal, timers, yields, pace);
-    this.meter = new UsageMeter(machine);
     this.threads = threads.factory(inbox);
+    this.meter = new UsageMeter(machine, this.threads::allocatedBytes);
     this.memory = new MemoryWait(this.threads::allocatedBytes);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
     this.newcomers = new Newcomers(runnable);

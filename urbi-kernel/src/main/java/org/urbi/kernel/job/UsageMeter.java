@@ -1,5 +1,6 @@
 package org.urbi.kernel.job;
 
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.time.Clock;
@@ -11,13 +12,19 @@ import org.urbi.kernel.time.Clock;
 public final class UsageMeter {
   private final Clock machine;
   private volatile boolean measuring;
-  private volatile @Nullable Thread thread;
+  private final LongSupplier allocatedByAll;
+  private volatile boolean hasTurned;
   private volatile @Nullable Budget charged;
   private volatile long since;
   private volatile long allocatedBefore;
 
-  UsageMeter(Clock machine) {
+  /**
+   * @param allocatedByAll how many bytes the jobs have allocated, on whichever threads: the loop
+   *     moves to another one when a job keeps its own
+   */
+  UsageMeter(Clock machine, LongSupplier allocatedByAll) {
     this.machine = machine;
+    this.allocatedByAll = allocatedByAll;
   }
 
   /** Starts to measure, and never stops; from any thread. */
@@ -38,8 +45,8 @@ public final class UsageMeter {
     if (next == charged) {
       return;
     }
-    if (thread == null) {
-      thread = Thread.currentThread();
+    if (!hasTurned) {
+      hasTurned = true;
       // A kernel may start while memory is scarce, and is then measured before its first job.
       since = machine.now();
       allocatedBefore = measuring ? allocated() : 0;
@@ -61,8 +68,7 @@ public final class UsageMeter {
   }
 
   private long allocated() {
-    Thread kernel = thread;
-    return kernel == null ? 0 : ThreadCosts.allocatedBytes(kernel);
+    return hasTurned ? allocatedByAll.getAsLong() : 0;
   }
 
   /**

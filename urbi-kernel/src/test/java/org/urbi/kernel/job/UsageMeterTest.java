@@ -20,7 +20,12 @@ class UsageMeterTest {
   private static final int MEGABYTE = 1 << 20;
 
   private final ManualClock machine = ManualClock.real();
-  private final UsageMeter meter = new UsageMeter(machine);
+
+  /** What other threads have allocated, on which the loop was before. */
+  private long elsewhere;
+
+  private final UsageMeter meter =
+      new UsageMeter(machine, () -> elsewhere + ThreadCosts.allocatedBytes(Thread.currentThread()));
   private final Budget one = new Budget();
   private final Budget other = new Budget();
   private final List<Object> allocated = new ArrayList<>();
@@ -108,6 +113,19 @@ class UsageMeterTest {
   /** What the test itself allocates is less than half of one. */
   private static void assertMegabytes(int count, long bytes) {
     assertEquals(count, Math.round((double) bytes / MEGABYTE));
+  }
+
+  /** A job that keeps its thread has the loop go on in another one. */
+  @Test
+  void memoryThatWasAllocatedOnAnotherThreadCounts() {
+    meter.begin();
+    meter.turnOf(one);
+    elsewhere += 3 * MEGABYTE;
+    assertMegabytes(3, meter.bytes(one));
+    meter.turnOf(other);
+    elsewhere += 2 * MEGABYTE;
+    assertMegabytes(2, meter.bytes(other));
+    assertMegabytes(3, meter.bytes(one));
   }
 
   @Test
