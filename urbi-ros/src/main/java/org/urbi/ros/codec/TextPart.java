@@ -35,6 +35,7 @@ record TextPart(FieldType.Text type) implements Part {
   public UValue read(Input in) {
     if (type.wide()) {
       int count = in.count(Integer.BYTES);
+      checkLimit(count);
       StringBuilder text = new StringBuilder(count);
       for (int i = 0; i < count; i++) {
         text.append((char) in.next(Integer.BYTES).getInt());
@@ -46,7 +47,21 @@ record TextPart(FieldType.Text type) implements Part {
     if (in.isCdr() && text.endsWith("\0")) {
       text = text.substring(0, text.length() - 1);
     }
+    if (type.limit() != 0 && text.length() > type.limit()) {
+      checkLimit(text.codePointCount(0, text.length()));
+    }
     return new UValue(text);
+  }
+
+  /**
+   * Refuses more than the type allows. Of what is not wide, characters are counted: there are nodes
+   * (those in Python) that take the limit for one of characters.
+   */
+  private void checkLimit(int characters) {
+    if (type.limit() != 0 && characters > type.limit()) {
+      throw new CodecException(
+          "a string of " + characters + " characters where " + type.limit() + " are allowed");
+    }
   }
 
   @Override

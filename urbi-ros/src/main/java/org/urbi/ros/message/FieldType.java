@@ -9,7 +9,8 @@ public sealed interface FieldType {
    * A string.
    *
    * @param wide whether its characters have 16 bits on the wire
-   * @param limit how many characters it may have; 0 for any number
+   * @param limit how many bytes of UTF-8 it may have, or units of 16 bits when it is wide; 0 for
+   *     any number
    */
   record Text(boolean wide, int limit) implements FieldType {}
 

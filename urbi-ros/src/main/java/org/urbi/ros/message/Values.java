@@ -1,5 +1,6 @@
 package org.urbi.ros.message;
 
+import java.nio.charset.StandardCharsets;
 import urbi.UDataType;
 import urbi.UValue;
 
@@ -10,6 +11,9 @@ import urbi.UValue;
 public final class Values {
   /** From here on not every whole number is a number of urbiscript. */
   private static final double TWO_TO_63 = 0x1p63;
+
+  /** How many bytes UTF-8 takes at most for what is one {@code char}. */
+  private static final long MOST_BYTES = 3;
 
   private Values() {}
 
@@ -81,7 +85,8 @@ public final class Values {
   }
 
   /**
-   * The string, checked.
+   * The string, checked. What limits it is what a peer may have made room for: its bytes in UTF-8,
+   * or its units of 16 bits when it is wide.
    *
    * @throws ValueException if it is no string, or is too long
    */
@@ -90,9 +95,17 @@ public final class Values {
       throw new ValueException("a string expected, not " + shown(value));
     }
     String text = value.stringValue();
-    if (type.limit() != 0 && text.length() > type.limit()) {
+    if (type.limit() == 0 || text.length() * MOST_BYTES <= type.limit()) {
+      return text;
+    }
+    int length = type.wide() ? text.length() : text.getBytes(StandardCharsets.UTF_8).length;
+    if (length > type.limit()) {
       throw new ValueException(
-          "a string of " + type.limit() + " characters at most expected, not of " + text.length());
+          "a string of "
+              + type.limit()
+              + (type.wide() ? " characters" : " bytes")
+              + " at most expected, not of "
+              + length);
     }
     return text;
   }

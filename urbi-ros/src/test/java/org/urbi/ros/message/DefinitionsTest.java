@@ -83,7 +83,7 @@ class DefinitionsTest {
     assertTrue(problem(Dialect.ROS_2, "int8 A=200").contains("no int8"));
     assertTrue(problem(Dialect.ROS_2, "int8 A=").contains("no int8"));
     assertTrue(problem(Dialect.ROS_2, "int8[2] a [1]").contains("2 elements"));
-    assertTrue(problem(Dialect.ROS_2, "string<=2 a 'abc'").contains("2 characters at most"));
+    assertTrue(problem(Dialect.ROS_2, "string<=2 a 'abc'").contains("2 bytes at most"));
     assertTrue(problem(Dialect.ROS_2, "int8[<=] a").contains("how many"));
     assertTrue(problem(Dialect.ROS_2, "a/b/c/d e").contains("name of a type"));
   }
