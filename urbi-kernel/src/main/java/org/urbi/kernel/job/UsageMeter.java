@@ -11,8 +11,8 @@ import org.urbi.kernel.time.Clock;
  */
 public final class UsageMeter {
   private final Clock machine;
-  private volatile boolean measuring;
   private final LongSupplier allocatedByAll;
+  private volatile boolean measuring;
   private volatile boolean hasTurned;
   private volatile @Nullable Budget charged;
   private volatile long since;

@@ -83,10 +83,12 @@ public final class UrbiDictionary extends UrbiObject {
     this.entries = entries;
   }
 
+  /** The key for a string. */
   public static Key key(UrbiString value) {
     return new TextKey(value.value(), value);
   }
 
+  /** The key for a number. */
   public static Key key(UrbiFloat value) {
     return new NumberKey(value.value(), value);
   }

@@ -28,9 +28,7 @@ public final class HeapUsage implements Heap {
   /** No more than this fraction of the heap, a 64th, is kept each time. */
   private static final int RESERVE_PART = 64;
 
-  /**
-   * Whole regions are no more than this fraction of the heap, a 12th, in all, but for the first.
-   */
+  /** Whole regions are no more than this fraction of the heap, a 6th, in all, but for the first. */
   private static final int REGIONS_PART = 6;
 
   /** More than what an array has beside its bytes. */
