@@ -1,7 +1,5 @@
 package org.urbi.bench.remote;
 
-import static java.util.Objects.requireNonNull;
-
 import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -190,9 +188,6 @@ public final class StudioBenchmark {
   private StudioBenchmark(StudioProbe unserved, StudioProbe served) throws IOException {
     this.unserved = unserved;
     this.served = served;
-    for (Room room : Room.values()) {
-      results.put(room, new Result());
-    }
     String line = served.await("studio: http://");
     stream = URI.create("ws" + line.substring(line.indexOf("://")).strip() + "stream");
     served.await("ready");
@@ -200,7 +195,14 @@ public final class StudioBenchmark {
   }
 
   private Result result(Room room) {
-    return requireNonNull(results.get(room), "each room has one");
+    return results.computeIfAbsent(room, unmeasured -> new Result());
+  }
+
+  /** Measures each room once. */
+  private void round() throws Exception {
+    for (Room room : Room.values()) {
+      measure(room);
+    }
   }
 
   private void measure(Room room) throws Exception {
@@ -327,12 +329,12 @@ public final class StudioBenchmark {
     try (StudioProbe unserved = new StudioProbe(root);
         StudioProbe served = new StudioProbe(root, "--studio=0")) {
       StudioBenchmark bench = new StudioBenchmark(unserved, served);
-      Thread.sleep(Duration.ofSeconds(5));
+      System.err.println("bench: a round that only warms up both servers");
+      bench.round();
+      bench.results.clear();
       for (int round = 0; round < rounds; round++) {
         System.err.println("bench: round " + (round + 1) + " of " + rounds);
-        for (Room room : Room.values()) {
-          bench.measure(room);
-        }
+        bench.round();
       }
       met = bench.report();
     }
