@@ -131,6 +131,21 @@ class DeepStacksTest {
     isStoppedByAnother("sleep(1000s)");
   }
 
+  /** A lobby has half of the threads that others leave to it. */
+  @Test
+  void oneClientDoesNotTakeAllThreads() throws Exception {
+    try (ConsoleClient greedy = server.connect()) {
+      assertEquals(List.of(), greedy.answers(DEEP));
+      for (int i = 0; i < KEPT / 2; i++) {
+        greedy.send("t: deep(50000, closure() { Global.there = true| sleep(1000s) }),\n");
+        assertEquals(List.of(), other.answers(WHEN_THERE));
+      }
+      List<String> third = greedy.answers("deep(50000, closure() { sleep(1000s) });");
+      assertTrue(third.getFirst().endsWith("!!! stack space exhausted"), third::toString);
+      isStoppedByAnother("sleep(1000s)");
+    }
+  }
+
   /**
    * A thread that waits with that many calls would make each collection of garbage long for all.
    */

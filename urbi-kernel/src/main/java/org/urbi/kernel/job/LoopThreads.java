@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class LoopThreads {
   /** How many jobs may keep their threads. */
-  private static final int MOST_KEPT = 4;
+  static final int MOST_KEPT = 4;
 
   private final Function<Runnable, Thread> maker;
   private @Nullable Runnable body;

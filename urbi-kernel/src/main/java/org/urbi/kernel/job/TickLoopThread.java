@@ -16,6 +16,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.message.Message;
 
 /**
@@ -218,11 +219,16 @@ final class TickLoopThread implements JobThread, Executor {
       stay();
       return;
     }
+    if (job.scheduler().isStopped()
+        || !KernelThreadPin.isAvailable()
+        || !factory.hasThreadToKeepFor(job.account())) {
+      throw refusal;
+    }
     nextTry = now;
     lent = false;
     keeping = true;
     factory.keepers.add(this);
-    if (job.scheduler().isStopped() || !KernelThreadPin.isAvailable() || !factory.threads.keep()) {
+    if (!factory.threads.keep()) {
       endKeeping();
       throw refusal;
     }
@@ -330,6 +336,16 @@ final class TickLoopThread implements JobThread, Executor {
       } catch (IllegalAccessException e) {
         throw new IllegalStateException(e);
       }
+    }
+
+    /**
+     * Whether another job may keep its thread. A lobby has at most half of those that others leave
+     * to it, rounded up, so that one alone does not take them all.
+     */
+    private boolean hasThreadToKeepFor(Budget account) {
+      long own = keepers.stream().filter(keeper -> keeper.job.account() == account).count();
+      long left = LoopThreads.MOST_KEPT - (keepers.size() - own);
+      return own < (left + 1) / 2;
     }
 
     @Override
