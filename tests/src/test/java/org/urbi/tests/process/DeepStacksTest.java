@@ -161,6 +161,36 @@ class DeepStacksTest {
     isStoppedByAnother("deep(50000, closure() { 1 })| sleep(1000s)");
   }
 
+  /** When others ran depended on how long the machine took to refuse; the replay has no clock. */
+  @Test
+  void recordedRunIsReplayed() throws Exception {
+    try (ServerProcess recorded = ServerProcess.in(folder, "--record=run");
+        ConsoleClient client = recorded.connect();
+        ConsoleClient beside = recorded.connect()) {
+      assertEquals(List.of(), client.answers(DEEP + "var Global.n = 0|;"));
+      beside.send("every (1ms) Global.n++,\n");
+      for (String code :
+          List.of(
+              "deep(100000, closure() { for (20000) { 1; 2 }| n })",
+              "deep(50000, closure() { for (20) { 1; sleep(1ms) }| n })")) {
+        assertEquals(1, client.answers(code + ";").size(), code);
+      }
+      assertTrue(
+          client
+              .answers("deep(100000, closure() { sleep(1s) });")
+              .getFirst()
+              .endsWith("!!! stack space exhausted"));
+      assertEquals(0, recorded.shutDown());
+    }
+    try (JavaProcess replay =
+        JavaProcess.start(
+            JavaProcess.Setting.in(folder),
+            "org.urbi.server.cli.UrbiCommand",
+            List.of("--replay=run"))) {
+      assertEquals(0, replay.awaitEnd(), replay::text);
+    }
+  }
+
   private void isRefused(int calls, String code) throws Exception {
     try (ConsoleClient client = deep(calls, code)) {
       assertTrue(client.answers("").getFirst().endsWith("!!! stack space exhausted"), code);

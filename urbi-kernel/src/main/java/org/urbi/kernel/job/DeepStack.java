@@ -1,6 +1,7 @@
 package org.urbi.kernel.job;
 
 import java.util.function.LongSupplier;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -17,14 +18,22 @@ final class DeepStack {
 
   private static final long NONE = -1;
 
+  private static final class RefusalRecorded extends StackOverflowError {
+    private static final long serialVersionUID = 1;
+  }
+
   private final LongSupplier turns;
+  private final Journal journal;
+  private final boolean counted;
   private final Clock machine;
   private long refusedTurn = NONE;
   private long tried;
   private long next;
 
-  DeepStack(LongSupplier turns, Clock machine) {
+  DeepStack(LongSupplier turns, Journal journal, Clock machine) {
     this.turns = turns;
+    this.journal = journal;
+    this.counted = journal.countsChecks();
     this.machine = machine;
   }
 
@@ -34,7 +43,25 @@ final class DeepStack {
       return true;
     }
     tried = machine.now();
-    return tried - next >= 0;
+    return journal.triesSwitchAgain(tried - next >= 0);
+  }
+
+  /**
+   * To be called before each switch.
+   *
+   * @throws StackOverflowError if the recorded run was refused it, though this one may not be
+   */
+  void refuseAsRecorded() {
+    if (counted && journal.refusesSwitch()) {
+      throw new RefusalRecorded();
+    }
+  }
+
+  /** A switch has failed: remembered if that was for the size of the stack. */
+  void failed(Throwable failure) {
+    if (failure instanceof StackOverflowError && !(failure instanceof RefusalRecorded)) {
+      journal.switchRefused();
+    }
   }
 
   /** It was tried, and refused. */

@@ -81,7 +81,7 @@ public final class Interruptions {
     this.turns = turns;
     this.journal = journal;
     this.machine = machine;
-    this.deepStack = new DeepStack(turns, machine);
+    this.deepStack = new DeepStack(turns, journal, machine);
     this.counted = journal.countsChecks();
     this.wanted = counted;
   }

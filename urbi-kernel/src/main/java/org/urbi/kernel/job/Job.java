@@ -365,8 +365,10 @@ public final class Job extends JobFacts implements Runnable {
       observer.switchedOut();
     }
     try {
+      interruptions.deepStack().refuseAsRecorded();
       thread.suspend();
     } catch (Throwable failure) {
+      interruptions.deepStack().failed(failure);
       goOn();
       switchedIn(tracker);
       throw failure;

@@ -70,6 +70,15 @@ public sealed interface Entry {
    */
   record RoundCut(int jobs, int by) implements Entry {}
 
+  /**
+   * The virtual machine refused to put the stack of a job away, which goes on in its turn, at that
+   * switch of the tick.
+   */
+  record SwitchRefused(long number) implements Entry {}
+
+  /** A job that was refused a switch tried again, when it was asked that often in the tick. */
+  record SwitchTriedAgain(long look) implements Entry {}
+
   /** An object was missing, which the garbage collector had taken, at that look of the tick. */
   record ObjectMissed(long look) implements Entry {}
 

@@ -30,6 +30,8 @@ public final class EntryCodec {
     add(13, Entry.MessageTakenAtOnce.class);
     add(14, Entry.ObjectMissed.class);
     add(15, Entry.NewsWaited.class);
+    add(16, Entry.SwitchRefused.class);
+    add(17, Entry.SwitchTriedAgain.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
     add(23, Message.ConsoleBytes.class);

@@ -31,7 +31,10 @@ public interface Journal {
     return false;
   }
 
-  /** Whether {@link #yieldsToMessages} and {@link #stopReason} are to be called always. */
+  /**
+   * Whether {@link #yieldsToMessages}, {@link #stopReason} and {@link #refusesSwitch} are to be
+   * called always.
+   */
   default boolean countsChecks() {
     return false;
   }
@@ -103,6 +106,22 @@ public interface Journal {
    * @return likewise
    */
   default int cutsRound(int jobs, int wanted) {
+    return wanted;
+  }
+
+  /**
+   * A job is about to let others run: whether the recorded run was refused that, because the stack
+   * of the job could not be put away.
+   */
+  default boolean refusesSwitch() {
+    return false;
+  }
+
+  /** The virtual machine has refused the switch that was asked about last. */
+  default void switchRefused() {}
+
+  /** Whether a job that was refused a switch in this turn tries again. */
+  default boolean triesSwitchAgain(boolean wanted) {
     return wanted;
   }
 

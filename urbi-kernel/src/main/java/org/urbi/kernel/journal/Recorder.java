@@ -16,6 +16,8 @@ public final class Recorder implements Journal {
   private final RecordingWriter file;
   private long safepoints;
   private long looks;
+  private long switches;
+  private long tries;
   private boolean ended;
 
   public Recorder(Entry.RunStarted beginning, RecordingWriter file) {
@@ -32,6 +34,8 @@ public final class Recorder implements Journal {
   public long tick(long now) {
     safepoints = 0;
     looks = 0;
+    switches = 0;
+    tries = 0;
     file.write(new Entry.Tick(now));
     return now;
   }
@@ -94,6 +98,26 @@ public final class Recorder implements Journal {
   public int cutsRound(int jobs, int wanted) {
     if (wanted != NOBODY) {
       file.write(new Entry.RoundCut(jobs, wanted));
+    }
+    return wanted;
+  }
+
+  @Override
+  public boolean refusesSwitch() {
+    switches++;
+    return false;
+  }
+
+  @Override
+  public void switchRefused() {
+    file.write(new Entry.SwitchRefused(switches));
+  }
+
+  @Override
+  public boolean triesSwitchAgain(boolean wanted) {
+    tries++;
+    if (wanted) {
+      file.write(new Entry.SwitchTriedAgain(tries));
     }
     return wanted;
   }

@@ -29,6 +29,8 @@ public final class Replay implements Journal {
   private long ticks;
   private long safepoints;
   private long looks;
+  private long switches;
+  private long tries;
   private boolean over;
   private @Nullable String difference;
 
@@ -132,6 +134,8 @@ public final class Replay implements Journal {
         ticks++;
         safepoints = 0;
         looks = 0;
+        switches = 0;
+        tries = 0;
         advance();
       } else {
         differs("the tick is over");
@@ -215,6 +219,33 @@ public final class Replay implements Journal {
       return cut.by();
     }
     return over ? 0 : NOBODY;
+  }
+
+  @Override
+  public boolean refusesSwitch() {
+    switches++;
+    if (next instanceof Entry.SwitchRefused refused && refused.number() == switches) {
+      advance();
+      return true;
+    }
+    return false;
+  }
+
+  @Override
+  public void switchRefused() {
+    if (!ranOut()) {
+      differs("the stack of a job cannot be put away");
+    }
+  }
+
+  @Override
+  public boolean triesSwitchAgain(boolean wanted) {
+    tries++;
+    if (next instanceof Entry.SwitchTriedAgain again && again.look() == tries) {
+      advance();
+      return true;
+    }
+    return over;
   }
 
   @Override
