@@ -17,14 +17,20 @@ import org.urbi.kernel.object.UrbiDictionary.Key;
  * one for the string of the look before costs a comparison.
  *
  * <p>Comparing keys may call urbiscript, which may change the table meanwhile: see {@link
- * #placeOfOther}. Strings and numbers that somebody has chosen so that they meet are told apart by
- * hash codes that nobody knows, from when they are noticed.
+ * #placeOfOther}. Keys that somebody has chosen so that they meet are told apart by hash codes that
+ * nobody knows, from when they are noticed; but not those whose own code is the same.
  */
 final class EntryTable extends AbstractMap<Key, UrbiObject> {
   private static final int FEWEST = 4;
 
   /** So many cells are copied between two checkpoints. */
   private static final int PIECE = 1 << 12;
+
+  /**
+   * So many entries get other places between two checkpoints; a power of two. It may take long to
+   * find one for each, because all those that have the same code stand in its way.
+   */
+  private static final int FEW_ENTRIES = 1 << 6;
 
   /** By chance, so many entries stand in a row in no table that fits into a memory. */
   private static final int LONGEST_ROW = 128;
@@ -49,6 +55,8 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
    */
   private long[] index = NO_INDEX;
 
+  private final World world;
+
   /** By how much hash codes are shifted for the index. */
   private int shift = Integer.SIZE - 1;
 
@@ -70,26 +78,30 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
 
   private int lastPlace;
 
-  EntryTable() {}
-
   /**
-   * A copy.
+   * An empty table.
    *
-   * @param checkpoint called now and then, since there may be millions of entries
+   * @param world whose checkpoint is passed now and then, since there may be millions of entries
    */
-  EntryTable(EntryTable other, Runnable checkpoint) {
-    keys = copied(other.keys, new Key[other.keys.length], other.keys.length, checkpoint);
-    values = copied(other.values, new UrbiObject[keys.length], keys.length, checkpoint);
-    index = copied(other.index, new long[other.index.length], other.index.length, checkpoint);
+  EntryTable(World world) {
+    this.world = world;
+  }
+
+  /** A copy. */
+  EntryTable(EntryTable other) {
+    world = other.world;
+    keys = copied(other.keys, new Key[other.keys.length], other.keys.length);
+    values = copied(other.values, new UrbiObject[keys.length], keys.length);
+    index = copied(other.index, new long[other.index.length], other.index.length);
     shift = other.shift;
     used = other.used;
     size = other.size;
     secret = other.secret;
   }
 
-  private static <T> T copied(T from, T to, int length, Runnable checkpoint) {
+  private <T> T copied(T from, T to, int length) {
     for (int done = 0; done < length; done += PIECE) {
-      checkpoint.run();
+      world.passCheckpoint();
       System.arraycopy(from, done, to, done, Math.min(PIECE, length - done));
     }
     return to;
@@ -97,7 +109,7 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
 
   // ------------------------------------------------------------------ hash codes
 
-  /** Whether nobody can foretell where strings and numbers are. */
+  /** Whether nobody can foretell where entries are. */
   boolean isSecret() {
     return secret != 0;
   }
@@ -124,13 +136,17 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
     return Math.multiplyHigh(code, factor) + Long.rotateRight(code * factor, Integer.SIZE);
   }
 
+  private int hashOfCode(int code) {
+    return isSecret() ? (int) (mix(secret ^ code) >>> Integer.SIZE) : code * SPREAD;
+  }
+
   private int hash(Key key) {
     return switch (key) {
       case TextKey text -> hash(text.text());
       // What is not a number equals nothing, so that any place will do.
       case NumberKey number when Double.isNaN(number.number()) -> used * SPREAD;
       case NumberKey number -> hash(number.number());
-      default -> key.hashCode() * SPREAD;
+      default -> hashOfCode(key.hashCode());
     };
   }
 
@@ -208,6 +224,8 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
         boolean equal = key.equals(other);
         if (before != rebuildings) {
           before = rebuildings;
+          // They may have got a secret.
+          hash = hash(key);
           at = hash >>> shift;
           continue;
         }
@@ -282,55 +300,75 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
     if (used == keys.length) {
       rebuild(Math.max(FEWEST, size > keys.length / 2 ? 2 * keys.length : keys.length));
     }
+    int hash = hash(key);
+    int at = firstFree(hash);
+    if ((at - (hash >>> shift) & index.length - 1) > LONGEST_ROW && !isSecret()) {
+      // From now on keys have hash codes that nobody can foretell.
+      takeOver(rebuilt(keys.length, new SecureRandom().nextLong() | 1L << 1, true));
+      hash = hash(key);
+      at = firstFree(hash);
+    }
+    enter(key, value, hash, at);
+    size++;
+    changes++;
+  }
+
+  /** Where an entry of that code is entered into the index. */
+  private int firstFree(int hash) {
+    int at = hash >>> shift;
+    while (index[at] != 0) {
+      at = at + 1 & index.length - 1;
+    }
+    return at;
+  }
+
+  private void enter(Key key, UrbiObject value, int hash, int at) {
     keys[used] = key;
     values[used] = value;
     used++;
-    size++;
-    changes++;
-    if (enter(hash(key), used - 1) > LONGEST_ROW && !isSecret() && isPlain(key)) {
-      // From now on strings and numbers have hash codes that nobody can foretell.
-      secret = new SecureRandom().nextLong() | 1L << 1;
-      rebuild(keys.length);
-    }
-  }
-
-  private static boolean isPlain(@Nullable Key key) {
-    return key instanceof TextKey || key instanceof NumberKey;
-  }
-
-  /** Enters a place into the index; returns how many cells were taken. */
-  private int enter(int hash, int place) {
-    int at = hash >>> shift;
-    int taken = 0;
-    while (index[at] != 0) {
-      at = at + 1 & index.length - 1;
-      taken++;
-    }
-    index[at] = (long) hash << Integer.SIZE | place + 1;
-    return taken;
+    index[at] = (long) hash << Integer.SIZE | used;
   }
 
   /** Gives the entries new places, in their order, of so many. */
   private void rebuild(int places) {
-    Key[] oldKeys = keys;
-    UrbiObject[] oldValues = values;
-    int old = used;
-    keys = new Key[places];
-    values = new UrbiObject[places];
-    index = new long[2 * places];
-    shift = Integer.numberOfLeadingZeros(index.length - 1);
-    used = 0;
-    rebuildings++;
-    lastText = null;
-    for (int i = 0; i < old; i++) {
-      Key key = oldKeys[i];
+    takeOver(rebuilt(places, secret, true));
+  }
+
+  /**
+   * The entries in a table of so many places. How often that passes the checkpoint does not depend
+   * on the secret: a recording counts it.
+   *
+   * @param endable whether it passes the checkpoint
+   */
+  private EntryTable rebuilt(int places, long itsSecret, boolean endable) {
+    EntryTable next = new EntryTable(world);
+    next.keys = new Key[places];
+    next.values = new UrbiObject[places];
+    next.index = new long[2 * places];
+    next.shift = Integer.numberOfLeadingZeros(next.index.length - 1);
+    next.secret = itsSecret;
+    for (int i = 0; i < used; i++) {
+      if (endable && (i & FEW_ENTRIES - 1) == FEW_ENTRIES - 1) {
+        world.passCheckpoint();
+      }
+      Key key = keys[i];
       if (key != null) {
-        keys[used] = key;
-        values[used] = oldValues[i];
-        enter(hash(key), used);
-        used++;
+        int hash = next.hash(key);
+        next.enter(key, values[i], hash, next.firstFree(hash));
       }
     }
+    return next;
+  }
+
+  private void takeOver(EntryTable next) {
+    keys = next.keys;
+    values = next.values;
+    index = next.index;
+    shift = next.shift;
+    secret = next.secret;
+    used = next.used;
+    rebuildings++;
+    lastText = null;
   }
 
   @Override
@@ -346,8 +384,9 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
     size--;
     changes++;
     if (size < keys.length / 4 && keys.length > 4 * FEWEST) {
-      // Whoever goes through the few that are left does not pass all that were there.
-      rebuild(keys.length / 2);
+      // Whoever goes through the few that are left does not pass all that were there. The entry is
+      // removed, so nothing ends this.
+      takeOver(rebuilt(keys.length / 2, secret, false));
     }
     return before;
   }

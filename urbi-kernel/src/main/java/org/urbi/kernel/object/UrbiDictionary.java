@@ -70,7 +70,7 @@ public final class UrbiDictionary extends UrbiObject {
 
   public UrbiDictionary(Shape shape, Map<Key, UrbiObject> entries) {
     super(shape);
-    this.entries = new EntryTable();
+    this.entries = new EntryTable(world());
     int steps = 0;
     for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
       step(++steps);
@@ -169,6 +169,6 @@ public final class UrbiDictionary extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return new UrbiDictionary(cloneShape(), new EntryTable(entries, world()::passCheckpoint));
+    return new UrbiDictionary(cloneShape(), new EntryTable(entries));
   }
 }

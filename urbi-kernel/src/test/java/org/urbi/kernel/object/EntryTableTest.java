@@ -26,8 +26,9 @@ import org.urbi.kernel.object.UrbiDictionary.Key;
 class EntryTableTest {
   private static final int MANY = 100_000;
 
-  private final Values values = new World().values();
-  private final EntryTable table = new EntryTable();
+  private final World world = new World();
+  private final Values values = world.values();
+  private final EntryTable table = new EntryTable(world);
 
   /** A key whose comparison does something. */
   private record Acting(int number, int hash, UrbiObject value, Runnable whenCompared)
@@ -112,7 +113,7 @@ class EntryTableTest {
         assertEquals(new ArrayList<>(expected.entrySet()), new ArrayList<>(found.entrySet()));
         // A copy knows nothing of what becomes of the other one.
         EntryTable before = found;
-        found = new EntryTable(before, () -> {});
+        found = new EntryTable(before);
         before.clear();
         assertTrue(before.isEmpty());
       }
@@ -246,7 +247,7 @@ class EntryTableTest {
     assertEquals(colliding(0).hashCode(), colliding(77).hashCode());
     putAndFind(i -> text(colliding(i)));
     assertTrue(table.isSecret());
-    EntryTable copy = new EntryTable(table, () -> {});
+    EntryTable copy = new EntryTable(table);
     assertTrue(copy.containsKey(text(colliding(5))));
     copy.clear();
     copy.put(text("a"), values.nil);
@@ -263,6 +264,44 @@ class EntryTableTest {
         };
     putAndFind(numbers);
     assertTrue(table.isSecret());
+  }
+
+  /**
+   * Each has a code of its own, but for the index all are alike as long as that can be foretold.
+   */
+  @Test
+  void objectsThatWereChosenToMeetAreToldApart() {
+    int inverse = 0x9E3779B9;
+    for (int i = 0; i < 5; i++) {
+      inverse *= 2 - 0x9E3779B9 * inverse;
+    }
+    int factor = inverse;
+    putAndFind(i -> acting(i, i * factor, () -> {}));
+    assertTrue(table.isSecret());
+    assertTrue(new EntryTable(table).containsKey(acting(77, 77 * factor, () -> {})));
+  }
+
+  /** It may take long, so whoever is to end does so in between. */
+  @Test
+  void aRebuildingThatIsEndedChangesNothing() {
+    for (int i = 0; i < 1024; i++) {
+      table.put(number(i), values.number(i));
+    }
+    world.setCheckpoint(() -> {
+      throw new IllegalStateException("the end");
+    });
+    assertThrows(IllegalStateException.class, () -> table.put(number(-1), values.nil));
+    assertThrows(IllegalStateException.class, () -> table.put(number(-1), values.nil));
+    assertEquals(1024, table.size());
+    for (int i = 0; i < 1000; i++) {
+      assertTrue(table.containsKey(number(i)));
+      table.remove(number(i));
+    }
+    assertEquals(24, table.size(), "what is removed is removed");
+    world.setCheckpoint(() -> {});
+    table.put(number(-1), values.nil);
+    assertEquals(25, table.size());
+    assertTrue(table.containsKey(number(1023)));
   }
 
   @Test
