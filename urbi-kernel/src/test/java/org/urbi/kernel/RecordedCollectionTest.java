@@ -67,6 +67,29 @@ class RecordedCollectionTest {
     assertTrue(difference != null && difference.contains("*** bye ann"), difference);
   }
 
+  /** Who is no owner may not stop everybody to have the garbage collected. */
+  @Test
+  void whatAUserHasMadeIsFinalizedSometime() {
+    try (Kernel kernel = Kernel.builder().virtualTime(true).record(recording).start()) {
+      TestClient client = new TestClient(kernel, Role.USER);
+      assertEquals(
+          "",
+          client.say(
+              """
+              var guest = Finalizable.new|;
+              function guest.finalize() { echo("bye") }|;
+              guest = nil|;
+              """));
+      String said = "";
+      while (said.isEmpty()) {
+        System.gc();
+        said = client.say("1|;");
+      }
+      assertEquals("*** bye", said);
+    }
+    ReplayedRun.check(recording);
+  }
+
   /** Links end with their variables, at the same moment in each run and in its replay. */
   @Test
   void linksOfVariablesThatComeAndGoAreNotListed() {

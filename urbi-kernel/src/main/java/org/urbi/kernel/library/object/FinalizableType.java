@@ -1,8 +1,11 @@
 package org.urbi.kernel.library.object;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -21,8 +24,15 @@ final class FinalizableType {
   }
 
   UrbiObject newPrototype(World world) {
+    Scheduler scheduler = outside.scheduler();
     return UrbiFinalizable.prototype(
-        world.values().object.cloneShape(), outside.scheduler().journal());
+        world.values().object.cloneShape(),
+        new Finalization(scheduler.journal(), () -> isOwner(scheduler.running()), System::gc));
+  }
+
+  /** What no job has made belongs to the system. */
+  private static boolean isOwner(@Nullable Job job) {
+    return job == null || job.isOwner();
   }
 
   @Builtin(doc = "Called when nobody refers to the object any more; does nothing.")

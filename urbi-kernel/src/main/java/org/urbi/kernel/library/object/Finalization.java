@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.BooleanSupplier;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.library.object.UrbiFinalizable.Reclaimable;
@@ -13,27 +14,38 @@ import org.urbi.kernel.node.Frame;
 
 /**
  * Finds, after each statement of the top level, the finalizable objects that are no longer
- * referenced, and calls their {@code finalize}. Kernels without such objects pay nothing; others
- * run the garbage collector each time, so that runs can be repeated. Which objects it has found is
- * recorded: in a replay these are finalized, whatever its own collector does.
+ * referenced, and calls their {@code finalize}. Kernels without such objects pay nothing. Where
+ * code with the role owner has made some, the garbage collector runs after each statement with that
+ * role, so that runs can be repeated; others may not stop everybody for that, so theirs are
+ * finalized when it has run for whatever reason. Which objects it has found is recorded: in a
+ * replay these are finalized, whatever its own collector does.
  */
 public final class Finalization {
   /** How often to look for an object that the virtual machine has yet to hand over. */
   private static final long COLLECTION_TIMEOUT = 10_000_000;
 
   private final Journal journal;
+  private final BooleanSupplier owner;
+  private final Runnable collector;
   private final ConcurrentLinkedQueue<Reclaimable> reclaimed = new ConcurrentLinkedQueue<>();
 
-  /** Those that have not been finalized, by their numbers. */
-  private final Map<Long, WeakReference<Reclaimable>> alive = new HashMap<>();
+  /** Those that code of owners has made, and that have not been found, by their numbers. */
+  private final Map<Long, WeakReference<Reclaimable>> ofOwners = new HashMap<>();
 
-  /** Those of them that only this map refers to; in a replay, all. */
+  /** Those that were found, and are to be finalized; in a replay, all. */
   private final TreeMap<Long, Reclaimable> kept = new TreeMap<>();
 
   private long created;
+  private long finalized;
 
-  Finalization(Journal journal) {
+  /**
+   * @param owner whether the running code has the role owner
+   * @param collector runs the garbage collector
+   */
+  Finalization(Journal journal, BooleanSupplier owner, Runnable collector) {
     this.journal = journal;
+    this.owner = owner;
+    this.collector = collector;
   }
 
   /** The number of the next object. */
@@ -43,9 +55,10 @@ public final class Finalization {
 
   /** One more object. */
   void add(Reclaimable object) {
-    alive.put(object.number(), new WeakReference<>(object));
     if (journal.isReplay()) {
       kept.put(object.number(), object);
+    } else if (owner.getAsBoolean()) {
+      ofOwners.put(object.number(), new WeakReference<>(object));
     }
   }
 
@@ -58,14 +71,14 @@ public final class Finalization {
 
   /** Calls {@code finalize} of the objects that are no longer referenced. */
   public void run(Frame frame) {
-    if (alive.isEmpty()) {
+    if (created == finalized) {
       return;
     }
-    for (long number : journal.ask(this::collect)) {
+    for (long number : journal.ask(this::found)) {
       Reclaimable object = kept.remove(number);
       // Another lobby can have come first, while the finalize of one before let others run.
       if (object != null) {
-        alive.remove(number);
+        finalized++;
         finalize(frame, object);
       }
     }
@@ -79,21 +92,36 @@ public final class Finalization {
     }
   }
 
-  /**
-   * Runs the garbage collector, and waits for what it has found, which the virtual machine hands
-   * over from a thread of its own; returns the numbers of the objects, in their order.
-   */
-  private List<Long> collect() {
-    System.gc();
-    long found = alive.values().stream().filter(reference -> reference.refersTo(null)).count();
-    for (long turns = 0; kept.size() < found && turns < COLLECTION_TIMEOUT; turns++) {
-      Reclaimable next = reclaimed.poll();
-      if (next == null) {
-        Thread.onSpinWait();
-      } else {
-        kept.put(next.number(), next);
-      }
+  /** The numbers of the objects that are no longer referenced, as far as is known. */
+  List<Long> found() {
+    if (!ofOwners.isEmpty() && owner.getAsBoolean()) {
+      collect();
+    } else {
+      take();
     }
     return List.copyOf(kept.keySet());
+  }
+
+  /**
+   * Runs the garbage collector, and waits for what it has found of those of owners, which the
+   * virtual machine hands over from a thread of its own.
+   */
+  private void collect() {
+    collector.run();
+    long left = ofOwners.values().stream().filter(reference -> !reference.refersTo(null)).count();
+    take();
+    for (long turns = 0; ofOwners.size() > left && turns < COLLECTION_TIMEOUT; turns++) {
+      Thread.onSpinWait();
+      take();
+    }
+  }
+
+  /** Takes what has been handed over. */
+  private void take() {
+    Reclaimable next;
+    while ((next = reclaimed.poll()) != null) {
+      kept.put(next.number(), next);
+      ofOwners.remove(next.number());
+    }
   }
 }

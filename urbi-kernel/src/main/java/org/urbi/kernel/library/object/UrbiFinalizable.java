@@ -1,6 +1,5 @@
 package org.urbi.kernel.library.object;
 
-import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -20,8 +19,8 @@ public sealed class UrbiFinalizable extends UrbiObject {
     this.finalization = finalization;
   }
 
-  static UrbiFinalizable prototype(Shape shape, Journal journal) {
-    return new UrbiFinalizable(shape, new Finalization(journal));
+  static UrbiFinalizable prototype(Shape shape, Finalization finalization) {
+    return new UrbiFinalizable(shape, finalization);
   }
 
   /** That of the kernel of this object. */

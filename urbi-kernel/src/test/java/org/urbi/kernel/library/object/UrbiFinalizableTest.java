@@ -13,7 +13,8 @@ class UrbiFinalizableTest {
 
   private PhantomReference<World> worldThatIsGone() {
     World world = new World();
-    UrbiFinalizable.prototype(world.values().object.cloneShape(), Journal.NONE);
+    UrbiFinalizable.prototype(
+        world.values().object.cloneShape(), new Finalization(Journal.NONE, () -> true, System::gc));
     return new PhantomReference<>(world, gone);
   }
 

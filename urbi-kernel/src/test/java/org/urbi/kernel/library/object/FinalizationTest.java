@@ -1,0 +1,76 @@
+package org.urbi.kernel.library.object;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.lang.ref.Reference;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/** A collection of all garbage stops everybody: only what an owner has made is worth it. */
+class FinalizationTest {
+  private boolean owner;
+  private int collections;
+  private final World world = new World();
+  private final Finalization finalization =
+      new Finalization(
+          Journal.NONE,
+          () -> owner,
+          () -> {
+            collections++;
+            System.gc();
+          });
+  private final UrbiObject prototype =
+      UrbiFinalizable.prototype(world.values().object.cloneShape(), finalization);
+
+  @Test
+  void nobodyCollectsForWhatOthersHaveMade() {
+    UrbiObject made = prototype.cloned();
+    assertEquals(List.of(), finalization.found());
+    owner = true;
+    assertEquals(List.of(), finalization.found());
+    assertEquals(0, collections);
+    Reference.reachabilityFence(made);
+  }
+
+  @Test
+  void othersDoNotCollectForWhatAnOwnerHasMade() {
+    owner = true;
+    UrbiObject made = prototype.cloned();
+    owner = false;
+    assertEquals(List.of(), finalization.found());
+    assertEquals(0, collections);
+    owner = true;
+    assertEquals(List.of(), finalization.found());
+    assertEquals(1, collections);
+    Reference.reachabilityFence(made);
+  }
+
+  /** Those are the second one and the third one. */
+  @Test
+  void whatAnOwnerHasMadeIsFoundAtOnce() {
+    owner = true;
+    UrbiObject kept = prototype.cloned();
+    drop(2);
+    assertEquals(List.of(2L, 3L), finalization.found());
+    Reference.reachabilityFence(kept);
+  }
+
+  @Test
+  void whatOthersHaveMadeIsFoundWhenItHasBeenCollected() {
+    drop(2);
+    do {
+      System.gc();
+    } while (finalization.found().size() < 2);
+    assertEquals(List.of(1L, 2L), finalization.found());
+    assertEquals(0, collections);
+  }
+
+  private void drop(int count) {
+    for (int i = 0; i < count; i++) {
+      prototype.cloned();
+    }
+  }
+}
