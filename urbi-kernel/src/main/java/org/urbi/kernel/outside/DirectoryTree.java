@@ -12,6 +12,7 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -19,11 +20,14 @@ import org.jspecify.annotations.Nullable;
 final class DirectoryTree {
   private DirectoryTree() {}
 
-  /** The names of what is in it, in no order. */
-  static List<Path> names(Path directory) throws IOException {
+  /** The names of what is in it, in no order; so many at most. */
+  static List<Path> names(Path directory, int most) throws IOException {
     List<Path> names = new ArrayList<>();
     try (DirectoryStream<Path> entries = Files.newDirectoryStream(directory)) {
-      entries.forEach(entry -> names.add(entry.getFileName()));
+      Iterator<Path> next = entries.iterator();
+      while (names.size() < most && next.hasNext()) {
+        names.add(next.next().getFileName());
+      }
     } catch (DirectoryIteratorException e) {
       throw e.getCause();
     }

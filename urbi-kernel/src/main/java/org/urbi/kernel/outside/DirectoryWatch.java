@@ -121,7 +121,7 @@ public final class DirectoryWatch implements Closeable {
 
   private static Set<String> names(Path directory) throws IOException {
     Set<String> names = new TreeSet<>();
-    DirectoryTree.names(directory).forEach(name -> names.add(name.toString()));
+    DirectoryTree.names(directory, Integer.MAX_VALUE).forEach(name -> names.add(name.toString()));
     return names;
   }
 

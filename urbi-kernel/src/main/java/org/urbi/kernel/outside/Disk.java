@@ -194,9 +194,13 @@ public final class Disk {
     });
   }
 
-  /** The names of what is in a directory, in no order. */
-  public List<Path> names(Path path) throws IOException {
-    return outside.query(() -> DirectoryTree.names(confinement().followed(path)));
+  /**
+   * The names of what is in a directory, in no order.
+   *
+   * @param most how many are wanted: there may be millions
+   */
+  public List<Path> names(Path path, int most) throws IOException {
+    return outside.query(() -> DirectoryTree.names(confinement().followed(path), most));
   }
 
   public boolean isEmpty(Path path) throws IOException {

@@ -1,23 +1,29 @@
 package org.urbi.kernel.library.file;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Disk;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.lang.print.StringEscape;
 
 /** Directories (manual, "Directory"). */
 @UrbiType(value = "Directory", doc = "A directory of the file system.", needs = Permission.USER)
 final class DirectoryType {
+  /** A directory in which there is more is listed on a thread of its own. */
+  private static final int FEW_NAMES = 1000;
+
   private final FileAccess files;
   private final Outside outside;
 
@@ -135,16 +141,33 @@ final class DirectoryType {
 
   private List<String> names(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    List<Path> names = FileAccess.quickly(frame, site, path, () -> files.disk().names(path.file()));
-    return names.stream().map(UrbiPath::encoded).sorted().toList();
+    Disk disk = files.disk();
+    List<Path> found =
+        FileAccess.quickly(frame, site, path, () -> disk.names(path.file(), FEW_NAMES));
+    if (found.size() == FEW_NAMES) {
+      found = files.slowly(frame, site, path, () -> disk.names(path.file(), Integer.MAX_VALUE));
+    }
+    List<String> names = new ArrayList<>(found.size());
+    for (Path name : found) {
+      frame.job().worked(Steps.OBJECT);
+      names.add(UrbiPath.encoded(name));
+    }
+    names.sort((one, other) -> {
+      frame.job().worked(Steps.OBJECT);
+      return one.compareTo(other);
+    });
+    return names;
   }
 
   @Builtin(doc = "The paths of what is in it, which begin with its own.")
   List<UrbiPath> asList(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return names(frame, site, self).stream()
-        .map(name -> path.sibling(path.text() + "/" + name))
-        .toList();
+    List<UrbiPath> paths = new ArrayList<>();
+    for (String name : names(frame, site, self)) {
+      frame.job().worked(Steps.OBJECT);
+      paths.add(path.sibling(path.text() + "/" + name));
+    }
+    return paths;
   }
 
   @Builtin(doc = "The names of what is in it.")

@@ -11,6 +11,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.FileSystemLoopException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -28,6 +29,9 @@ import org.urbi.lang.print.StringEscape;
 
 /** The common part of File, Directory and the streams: names, errors, waiting for the disk. */
 public final class FileAccess {
+  /** Larger files, and all that are no regular files, are read on a thread of their own. */
+  static final long LARGE = 1 << 18;
+
   private static final int LONGEST_NAME = 1 << 16;
 
   private final Outside outside;
@@ -157,6 +161,32 @@ public final class FileAccess {
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }
+  }
+
+  /**
+   * All bytes of a file; if it is large, the job waits for them.
+   *
+   * @param path how messages call it
+   */
+  public byte[] content(Frame frame, CallSite site, UrbiPath path, Path file) {
+    Disk disk = disk();
+    try {
+      if (disk.isRegularFile(file) && disk.size(file) <= LARGE) {
+        return disk.read(file);
+      }
+    } catch (IOException e) {
+      // The other way says what is wrong.
+    }
+    return slowly(
+        frame,
+        site,
+        path,
+        () -> {
+          if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
+            throw new IOException(Problem.FILE_TOO_LARGE.text());
+          }
+          return disk.read(file);
+        });
   }
 
   /** Finds out about files what may take long, while the job waits. */

@@ -1,7 +1,5 @@
 package org.urbi.kernel.library.file;
 
-import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
@@ -9,6 +7,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.text.BinaryType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -17,15 +16,11 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.outside.Disk;
 import org.urbi.lang.print.StringEscape;
 
 /** Files (manual, "File"). */
 @UrbiType(value = "File", doc = "A file of the file system.", needs = Permission.USER)
 final class FileType {
-  /** Larger files, and all that are no regular files, are read on a thread of their own. */
-  private static final long LARGE = 1 << 18;
-
   private final FileAccess files;
 
   FileType(FileAccess files) {
@@ -83,7 +78,7 @@ final class FileType {
 
   private void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
     boolean quick =
-        bytes.length <= LARGE
+        bytes.length <= FileAccess.LARGE
             && (files.isRegularFile(frame, site, path) || !files.exists(frame, site, path));
     FileAccess.Change change = () -> files.disk().write(path.file(), bytes);
     if (quick) {
@@ -119,25 +114,7 @@ final class FileType {
 
   private byte[] bytes(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
-    Path file = path.file();
-    Disk disk = files.disk();
-    try {
-      if (disk.isRegularFile(file) && disk.size(file) <= LARGE) {
-        return disk.read(file);
-      }
-    } catch (IOException e) {
-      // The other way says what is wrong.
-    }
-    return files.slowly(
-        frame,
-        site,
-        path,
-        () -> {
-          if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
-            throw new IOException(Problem.FILE_TOO_LARGE.text());
-          }
-          return disk.read(file);
-        });
+    return files.content(frame, site, path, path.file());
   }
 
   @Builtin(doc = "The lines of the file.")
@@ -148,6 +125,7 @@ final class FileType {
     while (from < text.length()) {
       int newline = text.indexOf('\n', from);
       int to = newline < 0 ? text.length() : newline;
+      frame.job().worked(Steps.OBJECT + Steps.ofCharacters(to - from));
       int end = to > from && text.charAt(to - 1) == '\r' ? to - 1 : to;
       lines.add(frame.interpreter().values().string(text.substring(from, end)));
       from = to + 1;

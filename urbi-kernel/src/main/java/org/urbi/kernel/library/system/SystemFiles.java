@@ -264,12 +264,9 @@ final class SystemFiles {
     boolean complete = false;
     loadedFiles.begin(frame.job(), key);
     try {
+      UrbiPath named = FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path));
       String text =
-          FileAccess.quickly(
-              frame,
-              site,
-              FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path)),
-              () -> new String(files.disk().read(path), StandardCharsets.ISO_8859_1));
+          new String(files.content(frame, site, named, path), StandardCharsets.ISO_8859_1);
       UrbiObject value =
           Evaluation.eval(frame, site, target == null ? self : target, text, shown(frame, path));
       complete = true;
