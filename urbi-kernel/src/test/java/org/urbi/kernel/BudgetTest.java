@@ -1,6 +1,7 @@
 package org.urbi.kernel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -110,8 +111,31 @@ class BudgetTest {
     assertEquals("2", one.say("1+1;"));
   }
 
-  @Test
-  void output() throws InterruptedException {
+  /** Whatever code has that sends something to its client. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "echo(2);",
+        "lobby.send(\"2\");",
+        "lobby.write(\"2\");",
+        "cout << 2;",
+        "clog << 2;",
+        "lobby << 2;",
+        "Channel.Filter << 2;",
+        "2;",
+        "2.print;",
+        "2.inspect;",
+        "2.dump(0);",
+        "warn(\"2\");",
+        "Regexp.new(\"2\").matchs;",
+        "System.ps;",
+        "System.jobs[0].dumpState;",
+        "var f = function() { System.backtrace }|; f;",
+        "Kernel1.ping;",
+        "lobby.thanks;",
+        "t.begin: nil|; echo(2);",
+      })
+  void output(String program) throws InterruptedException {
     AtomicLong unread = new AtomicLong();
     LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
     Connection connection =
@@ -136,14 +160,67 @@ class BudgetTest {
               }
             },
             false);
-    connection.send("echo(1);\n");
+    connection.send("var t = Tag.new(\"t\")|; echo(1);\n");
     assertTrue(heard.take().contains("*** 1"));
     unread.set(1025);
-    connection.send("echo(2);\n");
-    assertExhausted("1024 bytes of unread output", heard.take());
+    connection.send(program + "\n");
+    String answer = heard.take();
+    assertExhausted("1024 bytes of unread output", answer);
+    assertFalse(answer.contains("begin"), answer);
     unread.set(1024);
     connection.send("echo(3);\n");
     assertTrue(heard.take().contains("*** 3"));
+  }
+
+  /** What is made in one piece is refused before it is there: nobody could be ended in between. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "Matrix.new(1024, 1024)",
+        "Matrix.new(v)",
+        "m[0, 0] = 1",
+        "m + m",
+        "m * 2",
+        "m.transpose",
+        "m.row(0)",
+        "n.column(0)",
+        "n * Vector.new([1])",
+        "v[0] = 1",
+        "v + v",
+        "v / 2",
+        "Vector.new(l)",
+        "b + b",
+        "s + s",
+        "s * 2",
+        "\"aaa\".replace(\"a\", s)",
+        "[s, s].join",
+        "[].join(\", \", s, s)",
+        "l + [1]",
+        "l += l",
+      })
+  void memoryOfWhatIsMadeAtOnce(String program) {
+    TestClient one = owner();
+    assertEquals(
+        "",
+        one.say(
+            "var l = [0] * 1048577|; var v = Vector.new(l)|; var m = Matrix.new(v)|;"
+                + " var n = m.transpose|; var s = \"a\" * 4194305|; var b = Binary.new(\"\", s)|;"
+                + " lobby.setBudget(\"memory\", 4194304)|;"));
+    String answer = one.say("try { " + program + " | 0 } catch (var x) { echo(x.message) };");
+    assertTrue(answer.startsWith("*** "), answer);
+    assertExhausted("4194304 bytes", answer);
+  }
+
+  @Test
+  void clonesOfMatricesTakeNoMemoryUntilTheyAreChanged() {
+    TestClient one = owner();
+    one.say("var m = Matrix.new(1024, 1024)|;");
+    one.say("lobby.setBudget(\"memory\", 4194304)|;");
+    assertEquals("0", one.say("var n = m.clone|; n[3, 3];"));
+    one.say("lobby.setBudget(\"memory\", inf)|; n[3, 3] = 1|;");
+    assertEquals("[0, 1]", one.say("[m[3, 3], n[3, 3]];"));
+    assertEquals(
+        "[1, 2]", one.say("var v = Vector.new(1)|; var w = v.clone|; w[0] = 2|; [v[0], w[0]];"));
   }
 
   @Test

@@ -217,6 +217,7 @@ final class ListType {
       needs = Permission.CHANGE)
   static UrbiObject addAll(Frame caller, UrbiList self, UrbiList that) {
     caller.job().worked(that.elements().size());
+    Counting.checkMemoryOfList(caller, that.elements().size());
     self.modify().addAll(that.elements());
     return changed(self);
   }
@@ -274,6 +275,7 @@ final class ListType {
 
   @Builtin(value = "+", doc = "The elements of the target, then those of another list.")
   static UrbiList plus(Frame caller, UrbiList self, UrbiList other) {
+    Counting.checkMemoryOfList(caller, (long) self.elements().size() + other.elements().size());
     Elements sum = new Elements(self.elements().size() + other.elements().size());
     copy(caller, self.elements(), 0, sum);
     copy(caller, other.elements(), 0, sum);

@@ -163,7 +163,7 @@ public final class JobType {
 
   @Builtin(doc = "Tells the state of the job: its status, its tags, its calls.")
   static void dumpState(Frame frame, UrbiJob self) {
-    Output output = LobbyType.of(frame).output();
+    Output output = LobbyType.output(frame);
     output.send("", "*** Job: " + name(self));
     output.send("", "***   State: " + status(self));
     output.send("", "***   Tags:");

@@ -10,6 +10,7 @@ import org.urbi.kernel.event.Subscription;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.object.ObjectType;
+import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.ScopeEnd;
@@ -166,9 +167,14 @@ public final class TagType {
   private record EmissionNotifier(UrbiTag tag, String what) implements Subscription {
     @Override
     public void begin(Emission emission, Job emitter) {
+      Output output = ((UrbiLobby) emitter.lobby()).output();
+      if (output.isFull()) {
+        // Whoever enters is not to fail for what he may know nothing of.
+        return;
+      }
       UrbiObject name = tag.lookup(tag.world().symbol("name"));
       String text = name instanceof UrbiString known ? known.value() : "tag";
-      ((UrbiLobby) emitter.lobby()).output().send("", "*** " + text + what);
+      output.send("", "*** " + text + what);
     }
 
     @Override

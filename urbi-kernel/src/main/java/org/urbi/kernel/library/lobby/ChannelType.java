@@ -3,8 +3,6 @@ package org.urbi.kernel.library.lobby;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.lobby.Output;
-import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
@@ -34,7 +32,7 @@ final class ChannelType {
               : frame
                   .interpreter()
                   .asString(frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
-      output(frame, self).send(name(frame, self), text);
+      LobbyType.output(frame, self).send(name(frame, self), text);
     }
   }
 
@@ -44,12 +42,6 @@ final class ChannelType {
       LobbyType.output(frame, self)
           .send(name(frame, self), "*** " + frame.interpreter().asString(frame, value));
     }
-  }
-
-  private static Output output(Frame frame, UrbiObject self) {
-    return self instanceof UrbiLobby lobby && lobby.isInstance()
-        ? lobby.output()
-        : LobbyType.of(frame).output();
   }
 
   private static String name(Frame frame, UrbiObject self) {

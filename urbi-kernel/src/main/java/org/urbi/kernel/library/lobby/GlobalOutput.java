@@ -45,6 +45,6 @@ final class GlobalOutput {
 
   @Builtin(doc = "Sends a message to the channel warning.")
   static void warn(Frame frame, UrbiObject self, UrbiObject message) {
-    Diagnostics.warning(LobbyType.of(frame).output(), frame.interpreter().asString(frame, message));
+    Diagnostics.warning(LobbyType.output(frame), frame.interpreter().asString(frame, message));
   }
 }

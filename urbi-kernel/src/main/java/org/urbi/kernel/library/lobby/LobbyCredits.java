@@ -23,7 +23,8 @@ final class LobbyCredits {
 
   private static void say(Frame frame, UrbiObject self, String... lines) {
     for (String line : lines) {
-      LobbyType.own(frame, self).output().send("", line.isEmpty() ? "***" : "*** " + line);
+      LobbyType.output(frame, LobbyType.own(frame, self))
+          .send("", line.isEmpty() ? "***" : "*** " + line);
     }
   }
 

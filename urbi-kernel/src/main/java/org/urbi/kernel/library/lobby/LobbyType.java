@@ -39,6 +39,11 @@ public final class LobbyType {
     return (UrbiLobby) frame.job().lobby();
   }
 
+  /** Where code sends something to its own client; there must be room for it. */
+  public static Output output(Frame frame) {
+    return output(frame, of(frame));
+  }
+
   /** Where code sends something in the name of an object; its own lobby must have room for it. */
   public static Output output(Frame frame, UrbiObject self) {
     UrbiLobby own = of(frame);

@@ -24,7 +24,7 @@ public final class Warnings {
    */
   public static void deprecated(Frame caller, CallSite site, String old, @Nullable String other) {
     if (!isOff(caller)) {
-      Output output = LobbyType.of(caller).output();
+      Output output = LobbyType.output(caller);
       Diagnostics.warning(output, Diagnostics.place(site.calledSpan()) + deprecation(old, other));
       Diagnostics.callersOfWarning(output, caller.backtrace());
     }
@@ -33,7 +33,7 @@ public final class Warnings {
   /** Something is deprecated, wherever it is called. */
   public static void deprecated(Frame caller, String old, String other) {
     if (!isOff(caller)) {
-      Diagnostics.warning(LobbyType.of(caller).output(), deprecation(old, other));
+      Diagnostics.warning(LobbyType.output(caller), deprecation(old, other));
     }
   }
 
@@ -57,7 +57,7 @@ public final class Warnings {
 
   private static void tell(
       Frame caller, @Nullable CallSite site, @Nullable Span span, String text) {
-    Output output = LobbyType.of(caller).output();
+    Output output = LobbyType.output(caller);
     Diagnostics.warning(output, Diagnostics.place(span) + text);
     if (site != null) {
       Diagnostics.callersOfWarning(

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
@@ -17,9 +18,22 @@ final class Elementwise {
 
   private Elementwise() {}
 
+  /** So many zeros, which the budget must allow. */
+  static double[] zeros(Frame frame, int count) {
+    Counting.checkMemory(frame, (long) count * Double.BYTES);
+    return new double[count];
+  }
+
+  /** The same numbers in another array, which the budget must allow. */
+  static double[] copy(Frame frame, double[] numbers) {
+    double[] copy = zeros(frame, numbers.length);
+    System.arraycopy(numbers, 0, copy, 0, numbers.length);
+    return copy;
+  }
+
   /** Each element with that number. */
   static double[] each(Frame frame, double[] left, double right, DoubleBinaryOperator operation) {
-    double[] values = new double[left.length];
+    double[] values = zeros(frame, left.length);
     for (int i = 0; i < values.length; i++) {
       frame.job().worked(1);
       values[i] = operation.applyAsDouble(left[i], right);
@@ -30,7 +44,7 @@ final class Elementwise {
   /** Each element with the one at the same place. */
   static double[] pairs(
       Frame frame, double[] left, double[] right, DoubleBinaryOperator operation) {
-    double[] values = new double[left.length];
+    double[] values = zeros(frame, left.length);
     for (int i = 0; i < values.length; i++) {
       frame.job().worked(1);
       values[i] = operation.applyAsDouble(left[i], right[i]);
@@ -40,7 +54,7 @@ final class Elementwise {
 
   /** Converts values to numbers; errors name the argument at that place. */
   static double[] numbers(Frame frame, CallSite site, int place, List<UrbiObject> values) {
-    double[] numbers = new double[values.size()];
+    double[] numbers = zeros(frame, values.size());
     for (int i = 0; i < numbers.length; i++) {
       frame.job().worked(1);
       UrbiObject value = values.get(i);

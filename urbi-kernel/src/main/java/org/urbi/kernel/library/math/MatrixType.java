@@ -39,7 +39,7 @@ final class MatrixType {
         && arguments[1] instanceof UrbiFloat columns) {
       int height = Counting.nonNegative(frame, site, 1, rows);
       int width = Counting.nonNegative(frame, site, 2, columns);
-      self.set(height, width, new double[checkedSize(frame, site, height, width)]);
+      self.set(height, width, zeros(frame, site, height, width));
       return;
     }
     List<double[]> rows = new ArrayList<>();
@@ -53,7 +53,7 @@ final class MatrixType {
 
   private static double[] joined(Frame frame, CallSite site, List<double[]> rows) {
     int width = rows.isEmpty() ? 0 : rows.getFirst().length;
-    double[] all = new double[checkedSize(frame, site, rows.size(), width)];
+    double[] all = zeros(frame, site, rows.size(), width);
     for (int i = 0; i < rows.size(); i++) {
       frame.job().worked(width);
       System.arraycopy(rows.get(i), 0, all, i * width, width);
@@ -61,12 +61,12 @@ final class MatrixType {
     return all;
   }
 
-  /** How many elements such a matrix has; an error if those are too many. */
-  private static int checkedSize(Frame frame, CallSite site, int rows, int columns) {
+  /** The elements of such a matrix; an error if those are too many. */
+  private static double[] zeros(Frame frame, CallSite site, int rows, int columns) {
     if ((long) rows * columns > LARGEST) {
       throw frame.error(site, Problem.MATRIX_TOO_LARGE);
     }
-    return rows * columns;
+    return Elementwise.zeros(frame, rows * columns);
   }
 
   private static double[] row(Frame frame, CallSite site, int place, UrbiObject given) {
@@ -103,7 +103,7 @@ final class MatrixType {
       needs = Permission.CHANGE)
   static double setAt(
       Frame frame, CallSite site, UrbiMatrix self, int row, int column, double value) {
-    double[] changed = self.elements().clone();
+    double[] changed = Elementwise.copy(frame, self.elements());
     changed[place(frame, site, self, row, column)] = value;
     self.set(self.rows(), self.columns(), changed);
     return value;
@@ -112,13 +112,15 @@ final class MatrixType {
   @Builtin(doc = "A row, as a vector.")
   static UrbiVector row(Frame frame, CallSite site, UrbiMatrix self, int index) {
     int from = Counting.index(frame, site, index, self.rows()) * self.columns();
-    return vector(self, Arrays.copyOfRange(self.elements(), from, from + self.columns()));
+    double[] values = Elementwise.zeros(frame, self.columns());
+    System.arraycopy(self.elements(), from, values, 0, values.length);
+    return vector(self, values);
   }
 
   @Builtin(doc = "A column, as a vector.")
   static UrbiVector column(Frame frame, CallSite site, UrbiMatrix self, int index) {
     int column = Counting.index(frame, site, index, self.columns());
-    double[] values = new double[self.rows()];
+    double[] values = Elementwise.zeros(frame, self.rows());
     for (int i = 0; i < values.length; i++) {
       frame.job().worked(1);
       values[i] = self.elements()[i * self.columns() + column];
@@ -132,7 +134,7 @@ final class MatrixType {
 
   @Builtin(doc = "The rows as columns.")
   static UrbiMatrix transpose(Frame frame, UrbiMatrix self) {
-    double[] values = new double[self.elements().length];
+    double[] values = Elementwise.zeros(frame, self.elements().length);
     for (int i = 0; i < self.rows(); i++) {
       frame.job().worked(1 + self.columns());
       for (int j = 0; j < self.columns(); j++) {
@@ -201,7 +203,7 @@ final class MatrixType {
   /** The product with a matrix of that number of columns. */
   private static double[] product(
       Frame frame, CallSite site, UrbiMatrix left, double[] right, int width) {
-    double[] values = new double[checkedSize(frame, site, left.rows(), width)];
+    double[] values = zeros(frame, site, left.rows(), width);
     for (int i = 0; i < left.rows(); i++) {
       for (int j = 0; j < width; j++) {
         frame.job().worked(1 + left.columns());

@@ -3,7 +3,10 @@ package org.urbi.kernel.library.math;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** A matrix of numbers, kept row by row. */
+/**
+ * A matrix of numbers, kept row by row. Its array is never changed, only replaced, so that clones
+ * share it.
+ */
 final class UrbiMatrix extends UrbiObject {
   private int rows;
   private int columns;
@@ -43,6 +46,6 @@ final class UrbiMatrix extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return new UrbiMatrix(cloneShape(), rows, columns, elements.clone());
+    return new UrbiMatrix(cloneShape(), rows, columns, elements);
   }
 }

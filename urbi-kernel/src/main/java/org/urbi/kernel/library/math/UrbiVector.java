@@ -3,7 +3,7 @@ package org.urbi.kernel.library.math;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** A vector of numbers. */
+/** A vector of numbers. Its array is never changed, only replaced, so that clones share it. */
 final class UrbiVector extends UrbiObject {
   private double[] elements;
 
@@ -29,6 +29,6 @@ final class UrbiVector extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return new UrbiVector(cloneShape(), elements.clone());
+    return new UrbiVector(cloneShape(), elements);
   }
 }

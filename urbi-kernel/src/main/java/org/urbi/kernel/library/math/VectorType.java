@@ -53,7 +53,7 @@ final class VectorType {
       doc = "Replaces the element at an index; returns the value.",
       needs = Permission.CHANGE)
   static double setAt(Frame frame, CallSite site, UrbiVector self, int index, double value) {
-    double[] changed = self.elements().clone();
+    double[] changed = Elementwise.copy(frame, self.elements());
     changed[Counting.index(frame, site, index, changed.length)] = value;
     self.setElements(changed);
     return value;

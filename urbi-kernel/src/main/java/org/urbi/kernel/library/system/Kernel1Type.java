@@ -80,8 +80,7 @@ final class Kernel1Type {
   static void ping(Frame frame, UrbiObject self) {
     UrbiObject time =
         self.world().values().number(Durations.seconds(frame.job().scheduler().measure()));
-    LobbyType.of(frame)
-        .output()
+    LobbyType.output(frame)
         .send("", "*** pong time=" + frame.interpreter().asString(frame, time) + "s");
   }
 }

@@ -40,7 +40,7 @@ final class SystemJobs {
     for (UrbiException.Call call : frame.backtrace()) {
       if (call.name() != null) {
         String place = call.span() == null ? "" : " (" + call.span().location() + ")";
-        LobbyType.of(frame).output().send("backtrace", call.name() + place);
+        LobbyType.output(frame).send("backtrace", call.name() + place);
       }
     }
   }

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.text;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiBinary;
@@ -37,6 +38,7 @@ public final class BinaryType {
   @Builtin(value = "+", doc = "Both data, under the first header that is not empty.")
   static UrbiObject plus(Frame frame, UrbiBinary self, UrbiBinary that) {
     String keywords = self.keywords().isEmpty() ? that.keywords() : self.keywords();
+    Counting.checkMemory(frame, (long) self.data().length() + that.data().length());
     return binary(frame, keywords, self.data() + that.data());
   }
 

@@ -182,7 +182,9 @@ public final class StringType {
   @Builtin(value = "+", doc = "The target followed by the asString of other.")
   static UrbiObject plus(Frame caller, UrbiString self, UrbiObject other) {
     Interpreter interpreter = caller.interpreter();
-    return interpreter.values().concatenation(self, interpreter.asString(caller, other));
+    String added = interpreter.asString(caller, other);
+    Counting.checkMemory(caller, added.length());
+    return interpreter.values().concatenation(self, added);
   }
 
   @Builtin(value = "*", doc = "The target so many times.")
@@ -261,14 +263,15 @@ public final class StringType {
     if (from.isEmpty()) {
       throw caller.error(site, Problem.REPLACES_EMPTY_STRING);
     }
-    return replace(caller.job(), self.value(), from, to);
+    return replace(caller, self.value(), from, to);
   }
 
   /**
    * A search may look at nearly all of the pattern for each character of the text, so that it takes
    * place in pieces, the shorter the longer the pattern.
    */
-  private static String replace(Job job, String text, String from, String to) {
+  private static String replace(Frame caller, String text, String from, String to) {
+    Job job = caller.job();
     int piece = Math.max(1, SEARCHED / from.length());
     StringBuilder out = new StringBuilder();
     int copied = 0;
@@ -283,7 +286,9 @@ public final class StringType {
       } else {
         job.worked(
             Steps.OBJECT + Steps.ofCharacters((long) (found - at) * from.length() + to.length()));
-        out.append(text, copied, found).append(to);
+        out.append(text, copied, found);
+        Counting.checkMemory(caller, (long) out.length() + to.length());
+        out.append(to);
         copied = found + from.length();
         at = copied;
       }
@@ -310,6 +315,7 @@ public final class StringType {
   /** Strings one after the other. */
   public static String join(
       Frame caller, String separator, List<UrbiObject> elements, String prefix, String suffix) {
+    Counting.checkMemory(caller, (long) prefix.length() + suffix.length());
     StringBuilder out = new StringBuilder(prefix);
     boolean first = true;
     for (UrbiObject element : List.copyOf(elements)) {
@@ -317,6 +323,7 @@ public final class StringType {
       first = false;
       String text = caller.interpreter().asString(caller, element);
       caller.job().worked(Steps.OBJECT + Steps.ofCharacters(text.length() + separator.length()));
+      Counting.checkMemory(caller, (long) out.length() + text.length());
       out.append(text);
     }
     return out.append(suffix).toString();

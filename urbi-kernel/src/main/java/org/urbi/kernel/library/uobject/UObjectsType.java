@@ -101,7 +101,7 @@ final class UObjectsType {
       }
     }
     for (String line : lines) {
-      LobbyType.of(frame).output().send("", "*** " + line);
+      LobbyType.output(frame).send("", "*** " + line);
     }
   }
 

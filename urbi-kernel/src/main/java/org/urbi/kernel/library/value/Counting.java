@@ -51,10 +51,22 @@ public final class Counting {
     if (length > most) {
       throw caller.error(site, excess);
     }
-    if (!caller.job().budget().allows(Resource.MEMORY, length * bytes)) {
+    checkMemory(caller, length * bytes);
+    return count;
+  }
+
+  /**
+   * The budget must allow to make something of that many bytes: afterwards it would be too late.
+   */
+  public static void checkMemory(Frame caller, long bytes) {
+    if (!caller.job().budget().allows(Resource.MEMORY, bytes)) {
       throw caller.job().onBehalf().refusal(Resource.MEMORY);
     }
-    return count;
+  }
+
+  /** The budget must allow to make a list of that many elements. */
+  public static void checkMemoryOfList(Frame caller, long elements) {
+    checkMemory(caller, elements * BYTES_OF_ELEMENT);
   }
 
   /** A number of times to repeat a list; what does not fit in any memory is an error. */
