@@ -4,13 +4,21 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.job.Interruptions;
+import urbi.UObject;
+import urbi.UValue;
 
 /**
  * Long work of a single function in Java checks regularly whether to continue, in proportion to
@@ -20,8 +28,15 @@ class LongWorkTest {
   /** A million steps, of which a check is made at least each 65,536, less some for rounding. */
   private static final int CHECKS = 12;
 
-  private static final Kernel KERNEL = Kernel.builder().virtualTime(true).log(line -> {}).start();
+  private static final Kernel KERNEL =
+      Kernel.builder().virtualTime(true).output(text -> {}).log(line -> {}).start();
+
   private long checks;
+
+  @BeforeAll
+  static void plug() {
+    KERNEL.start(Taking.class);
+  }
 
   @AfterAll
   static void close() {
@@ -150,11 +165,48 @@ class LongWorkTest {
         "d.hash",
         "d == e",
         "Pattern.new(e).match(d)",
+        "f[-1] = 0",
       })
   void ofLargeDictionaries(String work) {
     long checked =
         checksOf(
-            "var d = [=>]; for| (var i : 30000) d[(i * 7919) % 30011] = i; var e = d.new", work);
+            "var d = [=>]; for| (var i : 30000) d[(i * 7919) % 30011] = i; var e = d.new;"
+                + " var f = [=>]; for| (var i : 65536) f[i] = i",
+            work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  /** A component that is given values. */
+  public static final class Taking extends UObject {
+    public Taking(String name) {
+      super(name);
+      UBindFunctions("take");
+    }
+
+    public boolean take(UValue value) {
+      return value.isVoid();
+    }
+  }
+
+  /** What is in many places of a value is gone through in each, so that little can be endless. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "filter << l",
+        "filter << d",
+        "g.x->p",
+        "g.x->p = 1",
+        "Taking.take(l)",
+        "Taking.take(d)",
+      })
+  void ofWhatIsShared(String work) {
+    long checked =
+        checksOf(
+            "var filter = Channel.Filter.new(\"f\"); filter.enabled = false;"
+                + " var l = [1]; var d = [\"a\" => 1]; var o = Object.new; var o.x = 1; o.x->p = 1;"
+                + " var g = Group.new(o);"
+                + " for| (16) { l = [l, l] | d = [\"a\" => d, \"b\" => d] | g = Group.new(g, g) }",
+            work);
     assertTrue(checked >= CHECKS, checked + " checks");
   }
 
@@ -208,6 +260,84 @@ class LongWorkTest {
   void ofExpressions(String expression) {
     long checked = checksOf("var r = Regexp.new(\"" + expression + "\")", "r.match(\"\")");
     assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "o.slotNames",
+        "o.inspect",
+        "Enumeration.new(\"E\", n)",
+        "o.protos = l",
+      })
+  void ofManySlotsAndPrototypes(String work) {
+    long checked =
+        checksOf(
+            "var o = Object.new; var n = []; var l = [Object] * 1000000;"
+                + " for| (var i : 60000) { o.setSlot(\"s\" + i, i) | n << \"s\" + i }",
+            work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"System.'assert'(NUMBERS.empty)", "lazily(NUMBERS).asString"})
+  void ofTheTextOfCode(String work) {
+    String numbers = "[0" + ", 0".repeat(20_000) + "]";
+    long checked =
+        checksOf(
+            "function lazily { call.args[0] }",
+            "try { " + work.replace("NUMBERS", numbers) + " } catch {}");
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  @Test
+  void ofGroupsOfAMatch() {
+    String groups = "(".repeat(30) + "a*" + ")".repeat(30);
+    long checked =
+        checksOf("var r = Regexp.new(\"" + groups + "\"); r.match(\"a\" * 1000000)", "r.matches");
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  /** There is not as much memory as all of them take. */
+  @Test
+  void groupsOfAMatchAreCopiedWhenTheyAreAskedFor() {
+    String groups = "(".repeat(500) + "a*" + ")".repeat(500);
+    assertEquals(
+        "true",
+        KERNEL
+            .eval(
+                "{ var s = \"a\" * 20000000; var r = Regexp.new(\""
+                    + groups
+                    + "\");"
+                    + " r.match(s) && r[500] == s }")
+            .toString());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"file.asList", "folder.asList"})
+  void ofFiles(String work, @TempDir Path folder) throws IOException {
+    Path many = Files.createDirectory(folder.resolve("many"));
+    for (int i = 0; i < 6_000; i++) {
+      Files.createFile(many.resolve("file" + i));
+    }
+    Path lines = Files.writeString(folder.resolve("lines"), "\n".repeat(250_000));
+    long checked =
+        checksOf(
+            "var file = File.new(\"" + lines + "\"); var folder = Directory.new(\"" + many + "\")",
+            work);
+    assertTrue(checked >= CHECKS, checked + " checks");
+  }
+
+  /** It takes no room on the disk. */
+  @Test
+  void aFileThatFitsIntoNoArrayIsNotLoaded(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("huge.u");
+    try (RandomAccessFile sparse = new RandomAccessFile(file.toFile(), "rw")) {
+      sparse.setLength(3L << 30);
+    }
+    String work = "loadFile(\"" + file + "\");";
+    UrbiError refused = assertThrows(UrbiError.class, () -> KERNEL.eval(work));
+    assertTrue(refused.getMessage().contains("file too large"), refused.getMessage());
   }
 
   @Test

@@ -174,6 +174,14 @@ public final class Interpreter {
     }
   }
 
+  /** The same for long work in Java: {@link Job#worked}. */
+  public void worked(long more) {
+    Job job = scheduler.running();
+    if (job != null) {
+      job.worked(more);
+    }
+  }
+
   /** How many nested calls there may be. */
   public int maximumDepth() {
     return maximumDepth;

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -54,7 +55,10 @@ final class ValueConversion {
 
   // ------------------------------------------------------------------ to Java
 
-  /** Converts a value to Java; void and nil become an empty value. */
+  /**
+   * Converts a value to Java; void and nil become an empty value. A container that is in many
+   * others becomes as many: that may take longer than anybody waits, and more memory than there is.
+   */
   UValue toJava(UrbiObject object) {
     return toJava(object, 0);
   }
@@ -88,6 +92,7 @@ final class ValueConversion {
   private UList list(List<UrbiObject> elements, int depth) {
     UList list = new UList();
     for (UrbiObject element : elements) {
+      worked(element);
       list.add(toJava(element, depth + 1));
     }
     return list;
@@ -98,12 +103,19 @@ final class ValueConversion {
     dictionary
         .entries()
         .forEach((key, value) -> {
+          worked(value);
           if (!(key.value() instanceof UrbiString name)) {
             throw badKey(key.value());
           }
           result.put(Utf8Text.toComponent(name.value()), toJava(value, depth + 1));
         });
     return result;
+  }
+
+  /** One more value is converted. */
+  private void worked(UrbiObject value) {
+    int characters = value instanceof UrbiString string ? string.value().length() : 0;
+    context.interpreter().worked(Steps.OBJECT + Steps.ofCharacters(characters));
   }
 
   private KernelRefusal badKey(UrbiObject key) {

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import java.util.List;
+import org.urbi.kernel.node.Frame;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
@@ -11,8 +12,9 @@ final class CodeText {
   private CodeText() {}
 
   /** The code written there; of a scope, what is in it. */
-  static String of(Span span) {
-    Ast.Sequence program = UrbiParser.parse(span.text(), null).sequence();
+  static String of(Frame frame, Span span) {
+    Ast.Sequence program =
+        UrbiParser.parse(span.text(), null, frame.job()::checkInterrupted).sequence();
     List<Ast> statements = program.statements();
     return statements.size() == 1 && statements.getFirst() instanceof Ast.Scope scope
         ? Printer.printBody(scope)

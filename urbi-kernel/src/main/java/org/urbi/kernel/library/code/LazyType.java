@@ -81,7 +81,7 @@ final class LazyType {
   static String asString(Frame frame, UrbiObject self) {
     if (self instanceof Lazy lazy && lazy.argument() != null) {
       Node written = lazy.argument().code();
-      return written.isWritten() ? CodeText.of(written.span()) : "Lazy";
+      return written.isWritten() ? CodeText.of(frame, written.span()) : "Lazy";
     }
     UrbiObject code = self.lookup(code(self));
     return code == null

@@ -3,7 +3,6 @@ package org.urbi.kernel.library.object;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,10 +13,10 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.value.OwnSlots;
-import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
@@ -34,13 +33,15 @@ final class ObjectDescription {
   private ObjectDescription() {}
 
   private static void say(Frame frame, String line) {
-    Output output = LobbyType.of(frame).output();
-    output.send("", "*** " + line);
+    LobbyType.output(frame).send("", "*** " + line);
   }
 
-  private static List<Symbol> slots(UrbiObject object) {
+  private static List<Symbol> slots(Frame frame, UrbiObject object) {
     List<Symbol> names = new ArrayList<>(Arrays.asList(object.localSlotNames()));
-    names.sort(Comparator.comparing(Symbol::name));
+    names.sort((one, other) -> {
+      frame.job().worked(1 + Steps.ofCharacters(one.name().length()));
+      return one.name().compareTo(other.name());
+    });
     return names;
   }
 
@@ -78,7 +79,8 @@ final class ObjectDescription {
   }
 
   private static void listSlots(Frame frame, UrbiObject object) {
-    for (Symbol name : slots(object)) {
+    for (Symbol name : slots(frame, object)) {
+      frame.job().worked(Steps.OBJECT);
       say(frame, "  " + name.name() + " : " + typeOf(frame, object.existingSlot(name)));
       Map<String, UrbiObject> properties = properties(object, name);
       if (!properties.isEmpty()) {
@@ -147,7 +149,7 @@ final class ObjectDescription {
         say(frame, indent + "value = " + frame.interpreter().asString(frame, plain));
       }
       say(frame, indent + "/* Slots */");
-      for (Symbol name : slots(object)) {
+      for (Symbol name : slots(frame, object)) {
         value(name.name(), object.existingSlot(name), depth, indent);
         Map<String, UrbiObject> properties = properties(object, name);
         if (!properties.isEmpty()) {

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.object;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.DictionaryKey;
@@ -155,29 +157,37 @@ final class ObjectSlots {
   }
 
   @Builtin(doc = "The names of the object's own slots, in alphabetical order.")
-  static List<UrbiObject> localSlotNames(UrbiObject self) {
+  static List<UrbiObject> localSlotNames(Frame frame, UrbiObject self) {
     Set<String> names = new TreeSet<>();
-    for (Symbol name : self.localSlotNames()) {
-      names.add(name.name());
-    }
-    return strings(self, names);
+    addNames(frame, self, names);
+    return strings(frame, names);
   }
 
   @Builtin(
       value = {"slotNames", "allSlotNames"},
       doc = "The names of all slots, also the inherited ones, in alphabetical order.")
-  static List<UrbiObject> slotNames(UrbiObject self) {
+  static List<UrbiObject> slotNames(Frame frame, UrbiObject self) {
     Set<String> names = new TreeSet<>();
     for (UrbiObject ancestor : ObjectType.allProtos(self)) {
-      for (Symbol name : ancestor.localSlotNames()) {
-        names.add(name.name());
-      }
+      addNames(frame, ancestor, names);
     }
-    return strings(self, names);
+    return strings(frame, names);
   }
 
-  private static List<UrbiObject> strings(UrbiObject self, Set<String> names) {
-    return names.stream().<UrbiObject>map(name -> self.world().values().string(name)).toList();
+  private static void addNames(Frame frame, UrbiObject object, Set<String> names) {
+    for (Symbol name : object.localSlotNames()) {
+      frame.job().worked(Steps.OBJECT + Steps.ofCharacters(name.name().length()));
+      names.add(name.name());
+    }
+  }
+
+  private static List<UrbiObject> strings(Frame frame, Set<String> names) {
+    List<UrbiObject> strings = new ArrayList<>(names.size());
+    for (String name : names) {
+      frame.job().worked(1);
+      strings.add(frame.interpreter().values().string(name));
+    }
+    return strings;
   }
 
   @Builtin(

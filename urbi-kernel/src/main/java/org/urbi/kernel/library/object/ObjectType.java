@@ -3,10 +3,12 @@ package org.urbi.kernel.library.object;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.LinkedHashSet;
+import java.util.Set;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.PermissionCheck;
@@ -170,10 +172,13 @@ public final class ObjectType {
   }
 
   private static void replaceProtos(Frame frame, String routine, UrbiObject self, UrbiList protos) {
+    Set<UrbiObject> distinct = new LinkedHashSet<>();
     for (UrbiObject proto : protos.elements()) {
+      frame.job().worked(Steps.OBJECT);
       FinalizableType.check(frame, routine, self, proto);
+      distinct.add(proto);
     }
-    self.setProtos(new LinkedHashSet<>(protos.elements()).toArray(UrbiObject[]::new));
+    self.setProtos(distinct.toArray(UrbiObject[]::new));
   }
 
   /** Refuses to make something a number by its prototypes: it would have no value. */

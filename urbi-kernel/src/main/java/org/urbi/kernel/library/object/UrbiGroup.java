@@ -56,6 +56,11 @@ public final class UrbiGroup extends UrbiObject implements SlotProxy {
     }
   }
 
+  /** Groups of groups may have more members than anybody waits for. */
+  private static void checkInterrupted(Frame frame) {
+    frame.job().checkInterrupted();
+  }
+
   /** A group of as many values is handed out, any other value goes to each member. */
   @Override
   public UrbiObject updateSlot(Frame frame, Symbol slot, UrbiObject value) {
@@ -68,8 +73,7 @@ public final class UrbiGroup extends UrbiObject implements SlotProxy {
     List<UrbiObject> values = new ArrayList<>();
     List<UrbiObject> targets = members();
     for (int i = 0; i < targets.size(); i++) {
-      // Groups of groups may have more members than anybody waits for.
-      frame.job().checkInterrupted();
+      checkInterrupted(frame);
       UrbiObject target = targets.get(i);
       UrbiObject own = value;
       if (value instanceof UrbiGroup group && group.members().size() == targets.size()) {
@@ -92,6 +96,7 @@ public final class UrbiGroup extends UrbiObject implements SlotProxy {
   public UrbiObject property(Frame frame, Symbol slot, String property) {
     List<UrbiObject> values = new ArrayList<>();
     for (UrbiObject member : members()) {
+      checkInterrupted(frame);
       UrbiObject value = Properties.find(frame, member, slot, property);
       if (value == null) {
         throw frame.interpreter().errors().property(member, slot.name(), property);
@@ -104,6 +109,7 @@ public final class UrbiGroup extends UrbiObject implements SlotProxy {
   @Override
   public void setProperty(Frame frame, Symbol slot, String property, UrbiObject value) {
     for (UrbiObject member : members()) {
+      checkInterrupted(frame);
       Properties.set(frame, member, slot, property, value);
     }
   }

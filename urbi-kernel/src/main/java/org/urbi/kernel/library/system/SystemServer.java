@@ -179,7 +179,7 @@ final class SystemServer {
     }
     Node claim = site.argumentNodes()[0];
     if (!Truth.of(frame, claim.execute(frame))) {
-      throw failed(frame, shown(claim));
+      throw failed(frame, shown(frame, claim));
     }
   }
 
@@ -188,12 +188,12 @@ final class SystemServer {
   }
 
   /** Code as urbiscript shows it. */
-  private static String shown(Node claim) {
+  private static String shown(Frame frame, Node claim) {
     if (!claim.isWritten()) {
       return "?";
     }
     String text = claim.span().text();
-    ParseResult parsed = UrbiParser.parse(text, null);
+    ParseResult parsed = UrbiParser.parse(text, null, frame.job()::checkInterrupted);
     return parsed.errors().isEmpty() ? Printer.print(parsed.sequence()) : text;
   }
 

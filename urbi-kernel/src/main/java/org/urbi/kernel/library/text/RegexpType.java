@@ -9,6 +9,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -72,21 +73,22 @@ final class RegexpType {
     Matcher matcher = self.pattern().matcher(new InterruptibleText(str, caller.job()));
     // It is about the whole text; so they only make it ask for the length: RegexpTranslation.
     matcher.useTransparentBounds(true).useAnchoringBounds(false);
-    List<String> groups = new ArrayList<>();
     boolean found = matcher.find();
-    if (found) {
-      for (int i = 0; i <= matcher.groupCount(); i++) {
-        groups.add(matcher.group(i) == null ? "" : matcher.group(i));
-      }
+    int[] groups = new int[found ? 2 * (matcher.groupCount() + 1) : 0];
+    for (int i = 0; i < groups.length; i += 2) {
+      groups[i] = matcher.start(i / 2);
+      groups[i + 1] = matcher.end(i / 2);
     }
-    self.setMatches(groups);
+    self.setMatch(found ? str : "", groups);
     return found;
   }
 
   @Builtin(doc = "The groups of the last match, the whole of it first; empty if it failed.")
   static List<UrbiObject> matches(Frame caller, UrbiRegexp self) {
     List<UrbiObject> strings = new ArrayList<>();
-    for (String group : self.matches()) {
+    for (int i = 0; i < self.groups(); i++) {
+      String group = self.group(i);
+      caller.job().worked(Steps.OBJECT + Steps.ofCharacters(group.length()));
       strings.add(StringType.string(caller, group));
     }
     return strings;
@@ -100,10 +102,9 @@ final class RegexpType {
 
   @Builtin(value = "[]", doc = "A group of the last match; the whole of it is number 0.")
   static String get(Frame caller, CallSite site, UrbiRegexp self, int n) {
-    List<String> groups = self.matches();
-    if (n < 0 || n >= groups.size()) {
+    if (n < 0 || n >= self.groups()) {
       throw caller.error(site, Problem.GROUP_OUT_OF_BOUNDS, n);
     }
-    return groups.get(n);
+    return self.group(n);
   }
 }

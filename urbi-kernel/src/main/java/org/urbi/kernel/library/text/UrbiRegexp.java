@@ -1,6 +1,5 @@
 package org.urbi.kernel.library.text;
 
-import java.util.List;
 import java.util.regex.Pattern;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -9,7 +8,11 @@ import org.urbi.kernel.object.UrbiObject;
 final class UrbiRegexp extends UrbiObject {
   private String text;
   private Pattern pattern;
-  private List<String> matches = List.of();
+
+  /** What was looked through last, and where each group begins and ends in it, -1 for nowhere. */
+  private String seen = "";
+
+  private int[] groups = {};
 
   UrbiRegexp(Shape shape, String text, Pattern pattern) {
     super(shape);
@@ -29,17 +32,31 @@ final class UrbiRegexp extends UrbiObject {
   void setPattern(String written, Pattern other) {
     text = written;
     pattern = other;
-    setMatches(List.of());
+    setMatch("", new int[0]);
   }
 
-  /** The groups of the last match, the whole of it first; empty when there was none. */
-  List<String> matches() {
+  /** How many groups the last match has, the whole of it counted; none when there was none. */
+  int groups() {
     noteContentRead();
-    return matches;
+    return groups.length / 2;
   }
 
-  void setMatches(List<String> others) {
-    matches = others;
+  /** A group of the last match, 0 for the whole; empty if it takes no part in it. */
+  String group(int number) {
+    noteContentRead();
+    int begin = groups[2 * number];
+    return begin < 0 ? "" : seen.substring(begin, groups[2 * number + 1]);
+  }
+
+  /**
+   * Notes a match; thousands of groups may have the whole text each, so they are copied when
+   * somebody asks for them.
+   *
+   * @param places where each group begins and ends in the text, the whole first
+   */
+  void setMatch(String looked, int[] places) {
+    seen = looked;
+    groups = places;
     noteContentChange();
   }
 

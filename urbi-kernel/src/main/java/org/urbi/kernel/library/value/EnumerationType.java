@@ -28,6 +28,7 @@ final class EnumerationType {
     OwnSlots.put(self, "name", self.world().values().string(name));
     List<UrbiObject> values = new ArrayList<>();
     for (UrbiObject each : names.elements()) {
+      frame.job().checkInterrupted();
       UrbiObject value = self.cloned();
       value.addSlot(frame.interpreter().symbols().asString, each);
       values.add(value);
