@@ -227,6 +227,16 @@ public final class Function extends Code {
     return boundLobby == null;
   }
 
+  /** The same function, with the permissions of that lobby; of one that is unbound. */
+  Function boundTo(UrbiObject lobby) {
+    Function bound = new Function(cloneShape(), body, captured, boundSelf, lobby, home);
+    UrbiObject ownerLobby = ownerLobby();
+    if (ownerLobby != null) {
+      bound.setOwnerLobby(ownerLobby);
+    }
+    return bound;
+  }
+
   boolean usesCall() {
     return body.usesCall;
   }
@@ -263,7 +273,7 @@ public final class Function extends Code {
 
   /** Runs with prepared variables: the parameters first, then room for the others. */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
-    if (boundLobby != null && boundLobby != caller.job.lobby() && changesLobby(caller)) {
+    if (boundLobby != null && changesLobby(caller, boundLobby)) {
       UrbiObject lobby = caller.job.lobby();
       caller.job.onBehalf().become(boundLobby);
       try {
@@ -275,14 +285,6 @@ public final class Function extends Code {
     return caller.interpreter.profiling
         ? runProfiled(caller, site, self, locals)
         : execute(caller, site, self, locals);
-  }
-
-  /**
-   * Whether the call changes the lobby of the job. Lazy arguments of the caller must not run with
-   * the permissions of a more privileged lobby.
-   */
-  private boolean changesLobby(Frame caller) {
-    return caller.job.isOwner() || !isLazy();
   }
 
   private UrbiObject runProfiled(

@@ -35,7 +35,11 @@ public final class Properties {
             && variable != null
             && data.getter() instanceof SlotUpdate.Whole
         ? frame.interpreter.send(frame, variable, property)
-        : data.property(property);
+        : taken(frame, data.property(property));
+  }
+
+  private static @Nullable UrbiObject taken(Frame frame, @Nullable UrbiObject value) {
+    return value == null ? null : TakenCode.by(frame, value);
   }
 
   /** The event that is emitted when the slot is assigned; it is created on first use. */
@@ -61,11 +65,12 @@ public final class Properties {
 
   /** Sets a property, with the effect of the system's own properties. */
   public static void set(
-      Frame frame, UrbiObject target, Symbol slot, String property, UrbiObject value) {
+      Frame frame, UrbiObject target, Symbol slot, String property, UrbiObject given) {
     if (target instanceof SlotProxy proxy && target.shape().indexOf(slot) < 0) {
-      proxy.setProperty(frame, slot, property, value);
+      proxy.setProperty(frame, slot, property, given);
       return;
     }
+    UrbiObject value = TakenCode.by(frame, given);
     UrbiObject holder = holder(frame, target, slot);
     PermissionCheck.checkChange(frame, "setProperty", holder);
     SlotBlending blending = property.equals("blend") ? blending(frame, value) : null;
@@ -120,7 +125,7 @@ public final class Properties {
     }
     UrbiObject removed = data.removeProperty(property);
     holder.slotDataChanged(slot);
-    return removed;
+    return taken(frame, removed);
   }
 
   // ------------------------------------------------------------------ nodes

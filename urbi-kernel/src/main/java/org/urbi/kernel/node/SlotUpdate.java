@@ -39,7 +39,7 @@ public final class SlotUpdate {
       }
       target.removeSlot(name);
     }
-    target.addSlot(name, value);
+    target.addSlot(name, TakenCode.by(frame, value));
   }
 
   /**
@@ -49,7 +49,8 @@ public final class SlotUpdate {
    *     updateHook} has made of it
    * @throws org.urbi.kernel.error.UrbiException when there is no such slot, or it is constant
    */
-  public static UrbiObject assign(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
+  public static UrbiObject assign(Frame frame, UrbiObject target, Symbol name, UrbiObject given) {
+    UrbiObject value = TakenCode.by(frame, given);
     Shape shape = target.shape();
     int index = shape.indexOf(name);
     if (index >= 0 || !(target instanceof SlotProxy)) {

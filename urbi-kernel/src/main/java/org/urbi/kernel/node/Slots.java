@@ -141,7 +141,8 @@ public final class Slots {
     /** Returns the value of the assignment. */
     UrbiObject assign(Frame frame, UrbiObject object, UrbiObject assigned) {
       if (object.shape() == knownShape
-          && (frame.job.isOwner() || PermissionCheck.allowsChange(frame.job, object))) {
+          && (frame.job.isOwner()
+              || !(assigned instanceof Code) && PermissionCheck.allowsChange(frame.job, object))) {
         object.setSlotAt(knownIndex, assigned);
         return assigned;
       }
@@ -183,7 +184,7 @@ public final class Slots {
         throw frame.located(
             frame.interpreter.errors().lookup(object, lookup.name().name()), span());
       }
-      return value;
+      return TakenCode.by(frame, value);
     }
   }
 

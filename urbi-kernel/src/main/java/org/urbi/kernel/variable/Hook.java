@@ -19,8 +19,13 @@ public interface Hook {
     return false;
   }
 
-  /** Calls a function of urbiscript, whose target is the variable. */
-  static Hook calling(UrbiObject function) {
-    return (frame, variable, value) -> frame.interpreter().call(frame, function, variable);
+  /** Calls a function of urbiscript, whose target is the variable, for who installs the hook. */
+  static Hook calling(Frame installer, UrbiObject function) {
+    UrbiObject lobby = installer.job().lobby();
+    return (frame, variable, value) ->
+        frame
+            .job()
+            .onBehalf()
+            .doFor(lobby, () -> frame.interpreter().call(frame, function, variable));
   }
 }

@@ -44,7 +44,10 @@ public final class ScriptCode extends Code {
     if (function == null) {
       Compilation.Compiled compiled = Compilation.compile(caller.interpreter(), tree());
       Frame frame = caller.nested(site, caller.self(), compiled.layout());
-      function = (Function) compiled.code().execute(frame);
+      UrbiObject system = caller.interpreter().values().object;
+      // It is everybody's from now on, and not bound to the lobby of its first caller.
+      function =
+          (Function) caller.job().onBehalf().doFor(system, () -> compiled.code().execute(frame));
     }
     return function.call(caller, site, self, arguments);
   }

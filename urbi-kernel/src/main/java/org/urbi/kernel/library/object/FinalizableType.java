@@ -27,12 +27,22 @@ final class FinalizableType {
     Scheduler scheduler = outside.scheduler();
     return UrbiFinalizable.prototype(
         world.values().object.cloneShape(),
-        new Finalization(scheduler.journal(), () -> isOwner(scheduler.running()), System::gc));
+        new Finalization(scheduler.journal(), new RunningJob(scheduler), System::gc));
   }
 
   /** What no job has made belongs to the system. */
-  private static boolean isOwner(@Nullable Job job) {
-    return job == null || job.isOwner();
+  private record RunningJob(Scheduler scheduler) implements Finalization.Running {
+    @Override
+    public boolean isOwner() {
+      Job job = scheduler.running();
+      return job == null || job.isOwner();
+    }
+
+    @Override
+    public @Nullable UrbiObject lobby() {
+      Job job = scheduler.running();
+      return job == null ? null : job.lobby();
+    }
   }
 
   @Builtin(doc = "Called when nobody refers to the object any more; does nothing.")

@@ -6,11 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.library.object.UrbiFinalizable.Reclaimable;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
 
 /**
  * Finds, after each statement of the top level, the finalizable objects that are no longer
@@ -21,11 +23,20 @@ import org.urbi.kernel.node.Frame;
  * replay these are finalized, whatever its own collector does.
  */
 public final class Finalization {
+  /** Whose code is running. */
+  interface Running {
+    /** Whether it has the role owner. */
+    boolean isOwner();
+
+    /** Its lobby; null if no code is running. */
+    @Nullable UrbiObject lobby();
+  }
+
   /** How often to look for an object that the virtual machine has yet to hand over. */
   private static final long COLLECTION_TIMEOUT = 10_000_000;
 
   private final Journal journal;
-  private final BooleanSupplier owner;
+  private final Running running;
   private final Runnable collector;
   private final ConcurrentLinkedQueue<Reclaimable> reclaimed = new ConcurrentLinkedQueue<>();
 
@@ -39,13 +50,18 @@ public final class Finalization {
   private long finalized;
 
   /**
-   * @param owner whether the running code has the role owner
+   * @param running whose code makes an object, or has made a statement
    * @param collector runs the garbage collector
    */
-  Finalization(Journal journal, BooleanSupplier owner, Runnable collector) {
+  Finalization(Journal journal, Running running, Runnable collector) {
     this.journal = journal;
-    this.owner = owner;
+    this.running = running;
     this.collector = collector;
+  }
+
+  /** Whose code is running. */
+  Running running() {
+    return running;
   }
 
   /** The number of the next object. */
@@ -57,7 +73,7 @@ public final class Finalization {
   void add(Reclaimable object) {
     if (journal.isReplay()) {
       kept.put(object.number(), object);
-    } else if (owner.getAsBoolean()) {
+    } else if (running.isOwner()) {
       ofOwners.put(object.number(), new WeakReference<>(object));
     }
   }
@@ -85,16 +101,22 @@ public final class Finalization {
   }
 
   private static void finalize(Frame frame, Reclaimable object) {
+    Job job = frame.job();
+    UrbiObject maker = object.maker();
     try {
-      frame.interpreter().send(frame, object, "finalize");
+      // Whose statement happens to be over lends the object no rights.
+      job.onBehalf()
+          .doFor(
+              maker == null ? job.lobby() : maker,
+              () -> frame.interpreter().send(frame, object, "finalize"));
     } catch (UrbiException e) {
-      frame.interpreter().report(frame.job(), e.unlessUncatchable());
+      frame.interpreter().report(job, e.unlessUncatchable());
     }
   }
 
   /** The numbers of the objects that are no longer referenced, as far as is known. */
   List<Long> found() {
-    if (!ofOwners.isEmpty() && owner.getAsBoolean()) {
+    if (!ofOwners.isEmpty() && running.isOwner()) {
       collect();
     } else {
       take();

@@ -7,6 +7,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.TakenCode;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -22,8 +23,8 @@ final class GlobalType {
   private GlobalType() {}
 
   @Builtin(doc = "The method of that name as a function whose first argument is the target.")
-  static UrbiObject methodToFunction(UrbiObject self, String name) {
-    return new MethodFunction(self.world(), name);
+  static UrbiObject methodToFunction(Frame frame, UrbiObject self, String name) {
+    return TakenCode.by(frame, new MethodFunction(self.world(), name));
   }
 
   @Builtin(

@@ -18,6 +18,7 @@ import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.node.SlotUpdate;
+import org.urbi.kernel.node.TakenCode;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
@@ -45,7 +46,7 @@ final class ObjectSlots {
       value = {"getSlot", "getSlotValue"},
       doc = "The value of the slot, its own or inherited, not called.")
   static UrbiObject getSlot(Frame frame, UrbiObject self, String name) {
-    return frame.interpreter().getRaw(self, symbol(self, name));
+    return TakenCode.by(frame, frame.interpreter().getRaw(self, symbol(self, name)));
   }
 
   @Builtin(doc = "The value of the object's own slot.")
@@ -66,7 +67,7 @@ final class ObjectSlots {
           .with("local", self.world().values().trueObject)
           .build();
     }
-    return value;
+    return TakenCode.by(frame, value);
   }
 
   @Builtin(
@@ -90,12 +91,12 @@ final class ObjectSlots {
   @Builtin(
       doc = "Sets a slot; a value that it had is kept in a slot named name$old.",
       needs = Permission.CHANGE)
-  static UrbiObject overrideSlot(UrbiObject self, String name, UrbiObject value) {
+  static UrbiObject overrideSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     UrbiObject old = self.lookup(symbol(self, name));
     if (old != null) {
-      replace(self, symbol(self, name + "$old"), old);
+      replace(self, symbol(self, name + "$old"), TakenCode.by(frame, old));
     }
-    replace(self, symbol(self, name), value);
+    replace(self, symbol(self, name), TakenCode.by(frame, value));
     return value;
   }
 
@@ -253,7 +254,7 @@ final class ObjectSlots {
       data.properties()
           .forEach((name, value) -> {
             UrbiString key = self.world().values().string(name);
-            all.put(DictionaryKey.of(frame, key), value);
+            all.put(DictionaryKey.of(frame, key), TakenCode.by(frame, value));
           });
     }
     all.putIfAbsent(

@@ -12,6 +12,7 @@ import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.PermissionCheck;
+import org.urbi.kernel.node.TakenCode;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Ancestors;
 import org.urbi.kernel.object.Symbol;
@@ -92,8 +93,8 @@ public final class ObjectType {
   }
 
   @Builtin(doc = "A method without arguments turned into a function of its target.")
-  static UrbiObject bounce(UrbiObject self, String name) {
-    return new BouncedCode(self.world(), name);
+  static UrbiObject bounce(Frame frame, UrbiObject self, String name) {
+    return TakenCode.by(frame, new BouncedCode(self.world(), name));
   }
 
   @Builtin(

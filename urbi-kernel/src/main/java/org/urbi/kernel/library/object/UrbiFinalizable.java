@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.object;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -38,10 +39,17 @@ public sealed class UrbiFinalizable extends UrbiObject {
   /** What the kernel is told of when it is reclaimed. */
   static final class Reclaimable extends UrbiFinalizable {
     private final long number;
+    private final @Nullable UrbiObject maker;
 
     private Reclaimable(Shape shape, Finalization finalization) {
       super(shape, finalization);
       number = finalization.nextNumber();
+      maker = finalization.running().lobby();
+    }
+
+    /** The lobby whose code has made it; null if no code has. */
+    @Nullable UrbiObject maker() {
+      return maker;
     }
 
     /** Objects are numbered in the order in which they were made. */

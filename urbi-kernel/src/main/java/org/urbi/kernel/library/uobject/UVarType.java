@@ -8,6 +8,7 @@ import org.urbi.kernel.external.ExternalProcess;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.PermissionCheck;
+import org.urbi.kernel.node.TakenCode;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -79,17 +80,17 @@ final class UVarType {
 
   @Builtin(doc = "Calls a function at each change; returns a handle to remove it.")
   static double notifyChange(Frame frame, UrbiUVar self, UrbiObject onChange) {
-    return self.notifyChange(frame.interpreter(), Hook.calling(onChange));
+    return self.notifyChange(frame.interpreter(), Hook.calling(frame, onChange));
   }
 
   @Builtin(doc = "As notifyChange, for commands to a variable that has a sensed value as well.")
-  static double notifyChangeOwned(UrbiUVar self, UrbiObject onChangeOwned) {
-    return self.notifyChangeOwned(Hook.calling(onChangeOwned));
+  static double notifyChangeOwned(Frame frame, UrbiUVar self, UrbiObject onChangeOwned) {
+    return self.notifyChangeOwned(Hook.calling(frame, onChangeOwned));
   }
 
   @Builtin(doc = "Calls a function at each access; returns a handle to remove it.")
   static double notifyAccess(Frame frame, UrbiUVar self, UrbiObject onAccess) {
-    return self.notifyAccess(frame, Hook.calling(onAccess));
+    return self.notifyAccess(frame, Hook.calling(frame, onAccess));
   }
 
   @Builtin(doc = "Removes a function that notifyChange has installed.", needs = Permission.CHANGE)
@@ -154,8 +155,8 @@ final class UVarType {
   @Builtin(
       value = {"val", "value"},
       doc = "The value; if it has two, the commanded one. No function is called for it.")
-  static UrbiObject val(UrbiUVar self) {
-    return self.target().value();
+  static UrbiObject val(Frame frame, UrbiUVar self) {
+    return TakenCode.by(frame, self.target().value());
   }
 
   @Builtin(
@@ -164,13 +165,13 @@ final class UVarType {
       doc = "Sets the value; if it has two, the commanded one.",
       needs = Permission.CHANGE)
   static void assignVal(Frame frame, UrbiUVar self, UrbiObject value) {
-    self.write(frame, new Datum(value));
+    self.write(frame, new Datum(TakenCode.by(frame, value)));
   }
 
   @Builtin(
       doc = "Reads the value as the slot does, which may call functions. The list is not used.")
   static UrbiObject apply(Frame frame, UrbiUVar self, UrbiObject arguments) {
-    return self.read(frame);
+    return TakenCode.by(frame, self.read(frame));
   }
 
   @Builtin(doc = "When the value was last written, in seconds as those of System.time.")
@@ -179,8 +180,8 @@ final class UVarType {
   }
 
   @Builtin(doc = "The value that everybody reads. No function is called for it.")
-  static UrbiObject valsensor(UrbiUVar self) {
-    return self.visible().value();
+  static UrbiObject valsensor(Frame frame, UrbiUVar self) {
+    return TakenCode.by(frame, self.visible().value());
   }
 
   @Builtin(
@@ -189,7 +190,7 @@ final class UVarType {
       doc = "Sets the value that everybody reads.",
       needs = Permission.CHANGE)
   static void assignValsensor(Frame frame, UrbiUVar self, UrbiObject value) {
-    self.set(frame, new Datum(value));
+    self.set(frame, new Datum(TakenCode.by(frame, value)));
   }
 
   @Builtin(
@@ -198,7 +199,8 @@ final class UVarType {
               + " affair.",
       needs = Permission.CHANGE)
   void update_timed(Frame frame, UrbiUVar self, UrbiObject value, double microseconds) {
-    Runnable writing = () -> self.write(frame, new Datum(value));
+    UrbiObject taken = TakenCode.by(frame, value);
+    Runnable writing = () -> self.write(frame, new Datum(taken));
     if (LobbyType.of(frame).remoteObjects() instanceof ExternalProcess process) {
       process.variables().set(self, writing);
     } else {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.lang.ref.Reference;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
@@ -11,13 +12,28 @@ import org.urbi.kernel.object.World;
 
 /** A collection of all garbage stops everybody: only what an owner has made is worth it. */
 class FinalizationTest {
-  private boolean owner;
+  /** Code that is running, of nobody in particular. */
+  static final class RunningCode implements Finalization.Running {
+    private boolean owner;
+
+    @Override
+    public boolean isOwner() {
+      return owner;
+    }
+
+    @Override
+    public @Nullable UrbiObject lobby() {
+      return null;
+    }
+  }
+
+  private final RunningCode running = new RunningCode();
   private int collections;
   private final World world = new World();
   private final Finalization finalization =
       new Finalization(
           Journal.NONE,
-          () -> owner,
+          running,
           () -> {
             collections++;
             System.gc();
@@ -29,7 +45,7 @@ class FinalizationTest {
   void nobodyCollectsForWhatOthersHaveMade() {
     UrbiObject made = prototype.cloned();
     assertEquals(List.of(), finalization.found());
-    owner = true;
+    running.owner = true;
     assertEquals(List.of(), finalization.found());
     assertEquals(0, collections);
     Reference.reachabilityFence(made);
@@ -37,12 +53,12 @@ class FinalizationTest {
 
   @Test
   void othersDoNotCollectForWhatAnOwnerHasMade() {
-    owner = true;
+    running.owner = true;
     UrbiObject made = prototype.cloned();
-    owner = false;
+    running.owner = false;
     assertEquals(List.of(), finalization.found());
     assertEquals(0, collections);
-    owner = true;
+    running.owner = true;
     assertEquals(List.of(), finalization.found());
     assertEquals(1, collections);
     Reference.reachabilityFence(made);
@@ -51,7 +67,7 @@ class FinalizationTest {
   /** Those are the second one and the third one. */
   @Test
   void whatAnOwnerHasMadeIsFoundAtOnce() {
-    owner = true;
+    running.owner = true;
     UrbiObject kept = prototype.cloned();
     drop(2);
     assertEquals(List.of(2L, 3L), finalization.found());

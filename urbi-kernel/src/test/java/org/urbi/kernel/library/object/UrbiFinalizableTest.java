@@ -14,7 +14,8 @@ class UrbiFinalizableTest {
   private PhantomReference<World> worldThatIsGone() {
     World world = new World();
     UrbiFinalizable.prototype(
-        world.values().object.cloneShape(), new Finalization(Journal.NONE, () -> true, System::gc));
+        world.values().object.cloneShape(),
+        new Finalization(Journal.NONE, new FinalizationTest.RunningCode(), System::gc));
     return new PhantomReference<>(world, gone);
   }
 
