@@ -26,6 +26,9 @@ import org.urbi.kernel.trust.Role;
 /** A connection: what others ask of it are messages, the rest runs on the kernel thread. */
 final class KernelConnection extends ConnectionParts
     implements Shell.Listener, Receiver, Evictable {
+  /** With how many unread bytes a client is sent no more that users send to all. */
+  private static final long MOST_FROM_OTHERS = 1 << 20;
+
   private final Client client;
   private final boolean holdsTime;
   private final AtomicInteger pending = new AtomicInteger();
@@ -203,7 +206,8 @@ final class KernelConnection extends ConnectionParts
         new Output(
             kernel.scheduler(),
             this::show,
-            () -> isBehind(budget),
+            () -> isFull(budget),
+            this::isBehind,
             ErrorStyle.valueOf(opened.errors()));
     Role role = Role.valueOf(opened.role());
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
@@ -224,7 +228,11 @@ final class KernelConnection extends ConnectionParts
     }
   }
 
-  private boolean isBehind(Budget budget) {
+  private boolean isBehind() {
+    return kernel.scheduler().time().attempt(() -> client.unread() > MOST_FROM_OTHERS);
+  }
+
+  private boolean isFull(Budget budget) {
     return budget.limit(Resource.OUTPUT) != Budget.UNLIMITED
         && kernel
             .scheduler()

@@ -98,6 +98,9 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
       UrbiSubscription terms = known.get(subscription);
       if (terms == null) {
         terms = new UrbiSubscription(shape.get(), this, subscription);
+        if (subscription instanceof Reaction reaction) {
+          terms.setOwnerLobby(reaction.facts().lobby());
+        }
         know(subscription, terms);
       }
       all.add(terms);

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -54,6 +55,7 @@ public class UrbiSubscription extends UrbiObject {
   /** Listens to an event from now on, and to no other one. */
   public final void listenTo(Frame frame, UrbiEvent source) {
     disconnect();
+    PermissionCheck.claim(frame, this);
     event = source;
     Subscription made = requireNonNull(listener, "it can listen").listenTo(frame, source);
     subscription = made;

@@ -81,6 +81,14 @@ public final class TagState {
     return jobs().stream().anyMatch(Job::canRun);
   }
 
+  /**
+   * Whether all jobs under this tag have been started for that lobby, or for one that shares its
+   * budget.
+   */
+  public boolean isOnlyOf(UrbiObject lobby) {
+    return jobs().stream().allMatch(job -> job.budget() == job.scheduler().budgetOf(lobby));
+  }
+
   /** Sets an action that runs once, when the last job under this tag ends. */
   public void onIdle(Runnable action) {
     List<Job> jobs = jobs();

@@ -14,6 +14,7 @@ public final class Output {
   private final Scheduler scheduler;
   private final Consumer<String> client;
   private final BooleanSupplier full;
+  private final BooleanSupplier behind;
   private final int most;
   private final ErrorStyle errors;
   private StringBuilder buffer = new StringBuilder();
@@ -23,18 +24,24 @@ public final class Output {
   private long bytesSent;
 
   public Output(Scheduler scheduler, Consumer<String> client) {
-    this(scheduler, client, () -> false, ErrorStyle.PLAIN);
+    this(scheduler, client, () -> false, () -> false, ErrorStyle.PLAIN);
   }
 
   /**
    * @param full whether so much output is unread that the code of the client must not send more
+   * @param behind whether so much is that others must not send more
    * @param errors how much is told about errors
    */
   public Output(
-      Scheduler scheduler, Consumer<String> client, BooleanSupplier full, ErrorStyle errors) {
+      Scheduler scheduler,
+      Consumer<String> client,
+      BooleanSupplier full,
+      BooleanSupplier behind,
+      ErrorStyle errors) {
     this.scheduler = scheduler;
     this.client = client;
     this.full = full;
+    this.behind = behind;
     this.most = LARGE;
     this.errors = errors;
   }
@@ -43,6 +50,7 @@ public final class Output {
     this.scheduler = other.scheduler;
     this.client = other::write;
     this.full = other.full;
+    this.behind = other.behind;
     this.most = 0;
     this.errors = other.errors;
   }
@@ -116,6 +124,11 @@ public final class Output {
   /** Whether so much output is unread that the code of the client must not send more. */
   public boolean isFull() {
     return full.getAsBoolean();
+  }
+
+  /** Whether so much output is unread that others must not send more. */
+  public boolean isBehind() {
+    return behind.getAsBoolean();
   }
 
   /** Ends the output: the client has gone. */

@@ -75,10 +75,12 @@ public final class CallMessages {
     var arguments = new Elements(0);
     if (frame.site != null && frame.caller != null) {
       for (Node node : frame.site.argumentNodes()) {
-        arguments.add(
+        Lazy lazy =
             new Lazy(
                 interpreter.prototypes.lazy.cloneShape(),
-                new Argument(node, frame.caller, frame.job.lobby())));
+                new Argument(node, frame.caller, frame.job.lobby()));
+        PermissionCheck.claimForObserver(frame, lazy);
+        arguments.add(lazy);
       }
     }
     return interpreter.prototypes.callMessage.clonedWith(

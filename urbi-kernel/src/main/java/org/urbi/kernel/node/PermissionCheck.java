@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
 
@@ -59,6 +60,29 @@ public final class PermissionCheck {
     }
   }
 
+  /**
+   * Whether code of that role, which runs for that lobby, may end or suspend what is under a tag.
+   */
+  public static boolean allowsControl(Role role, UrbiObject lobby, TagState tag) {
+    return role == Role.OWNER || tag.isOnlyOf(lobby);
+  }
+
+  /**
+   * Refuses to end or suspend what is under a tag, unless all of it runs for the caller's lobby.
+   */
+  public static void checkControl(Frame caller, String routine, TagState tag) {
+    if (!allowsControl(caller.job.onBehalf().role(), caller.job.lobby(), tag)) {
+      throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
+    }
+  }
+
+  /** Makes a new object the own of the lobby whose code has made it: only that may change it. */
+  public static void claim(Frame maker, UrbiObject made) {
+    if (made.ownerLobby() == null) {
+      made.setOwnerLobby(maker.job.lobby());
+    }
+  }
+
   /** Refuses what needs a higher role than the caller's. */
   public static void checkRole(Frame caller, String routine, Role least) {
     if (caller.job.onBehalf().role().compareTo(least) < 0) {
@@ -68,8 +92,8 @@ public final class PermissionCheck {
 
   /** Makes a new object the observer's own: only that lobby may change it. */
   public static void claimForObserver(Frame maker, UrbiObject made) {
-    if (maker.job.onBehalf().role() == Role.OBSERVER && made.ownerLobby() == null) {
-      made.setOwnerLobby(maker.job.lobby());
+    if (maker.job.onBehalf().role() == Role.OBSERVER) {
+      claim(maker, made);
     }
   }
 

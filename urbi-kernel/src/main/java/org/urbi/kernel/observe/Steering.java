@@ -108,6 +108,11 @@ public final class Steering {
     if (!PermissionCheck.allowsChange(by.role(), by, owner)) {
       return refusal(by.role(), owner);
     }
+    if (action != Action.UNFREEZE
+        && action != Action.UNBLOCK
+        && !PermissionCheck.allowsControl(by.role(), by, tag)) {
+      return Problem.CHANGES_JOB.text(Role.OWNER.text(), by.role().text());
+    }
     switch (action) {
       case STOP -> tag.stop(scheduler, nothing);
       case FREEZE -> tag.freeze();

@@ -5,13 +5,16 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * The tag of {@code name: code} where that name is unknown: it is created among the global tags.
- * The tag of {@code a.b: code} is created as a child of the tag {@code a} (manual, "Tag").
+ * The tag of {@code name: code} where that name is unknown: it is created among the global tags;
+ * that of code which may not do everything, in its lobby, so that nobody gets into its hands by
+ * using the same name. The tag of {@code a.b: code} is created as a child of the tag {@code a}
+ * (manual, "Tag").
  */
 public final class ImplicitTag extends Node {
   private final @Nullable Node target;
@@ -34,15 +37,11 @@ public final class ImplicitTag extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     if (target == null) {
-      if (frame.self().locate(name) != null) {
-        return tag.execute(frame);
-      }
-      UrbiTag made = UrbiTag.named(frame.interpreter(), name.name());
-      frame.interpreter().prototypes().tags.addSlot(name, made);
-      return made;
+      return frame.self().locate(name) == null ? unknown(frame) : tag.execute(frame);
     }
     UrbiObject owner = target.execute(frame);
     if (owner.locate(name) == null && owner instanceof UrbiTag above) {
+      PermissionCheck.checkChange(frame, "setSlot", above);
       UrbiTag made = (UrbiTag) above.cloned();
       made.addSlot(
           frame.interpreter().world().symbol("name"),
@@ -55,5 +54,19 @@ public final class ImplicitTag extends Node {
     } catch (UrbiException e) {
       throw frame.located(e, span());
     }
+  }
+
+  /** The tag of a name that {@code this} does not know. */
+  private UrbiObject unknown(Frame frame) {
+    UrbiObject place =
+        frame.job().isOwner() ? frame.interpreter().prototypes().tags : frame.job().lobby();
+    UrbiObject known = place.localSlot(name);
+    if (known != null) {
+      return known;
+    }
+    UrbiTag made = UrbiTag.named(frame.interpreter(), name.name());
+    PermissionCheck.claim(frame, made);
+    place.addSlot(name, made);
+    return made;
   }
 }

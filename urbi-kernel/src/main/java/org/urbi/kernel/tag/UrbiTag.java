@@ -23,12 +23,19 @@ public class UrbiTag extends UrbiObject {
     this.state = new TagState(this);
   }
 
-  /** A clone of a tag type is a new tag of that type; a clone of a tag is its child. */
+  /**
+   * A clone of a tag type is a new tag of that type; a clone of a tag is its child, and belongs to
+   * the same lobby.
+   */
   @Override
   public UrbiObject cloned() {
     UrbiTag clone = new UrbiTag(cloneShape());
     if (localSlot(world().symbol("type")) == null) {
       clone.parent = this;
+      UrbiObject ownerLobby = ownerLobby();
+      if (ownerLobby != null) {
+        clone.setOwnerLobby(ownerLobby);
+      }
     }
     return clone;
   }

@@ -7,14 +7,17 @@ import org.urbi.kernel.event.UrbiSubscription;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
-import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Copies each new value of one variable to another (manual, "Customizing data-flow links"). */
 public final class UrbiConnection extends UrbiSubscription {
+  private static final String CONNECTED = "values come when it is connected";
+
   private @Nullable UrbiUVar source;
   private @Nullable UrbiUVar target;
+  private @Nullable UrbiObject maker;
 
   public UrbiConnection(Shape shape) {
     super(shape);
@@ -28,8 +31,10 @@ public final class UrbiConnection extends UrbiSubscription {
   /** Starts to copy the values of a variable to another. */
   public void connect(Frame frame, UrbiUVar from, UrbiUVar to) {
     disconnect();
+    PermissionCheck.claim(frame, this);
     source = from;
     target = to;
+    maker = frame.job().lobby();
     from.add(frame, this);
   }
 
@@ -52,19 +57,20 @@ public final class UrbiConnection extends UrbiSubscription {
     return target;
   }
 
-  /** Passes on a new value. */
+  /** Passes on a new value, for the lobby that has made the connection. */
   void pass(Frame frame, Datum value) {
-    Interpreter interpreter = frame.interpreter();
+    UrbiUVar to = requireNonNull(target, CONNECTED);
+    UrbiObject lobby = requireNonNull(maker, CONNECTED);
     Job caller = frame.job();
-    UrbiUVar to = requireNonNull(target, "values come when it is connected");
     gate()
         .call(
             caller,
-            job ->
-                to.write(
-                    job == caller
-                        ? frame
-                        : Frame.top(interpreter, job, job.lobby(), new FrameLayout()),
-                    value));
+            job -> job.onBehalf().doFor(lobby, () -> to.write(at(frame, caller, job), value)));
+  }
+
+  private static Frame at(Frame frame, Job caller, Job job) {
+    return job == caller
+        ? frame
+        : Frame.top(frame.interpreter(), job, job.lobby(), new FrameLayout());
   }
 }

@@ -7,6 +7,8 @@ import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallMessages.Lazy;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.PermissionCheck;
+import org.urbi.kernel.node.TakenCode;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -32,8 +34,8 @@ final class LazyType {
   @Builtin(
       doc = "Evaluates that function without arguments when asked for.",
       needs = Permission.CHANGE)
-  static void init(UrbiObject self, UrbiObject function) {
-    OwnSlots.put(self, "code", function);
+  static void init(Frame frame, UrbiObject self, UrbiObject function) {
+    OwnSlots.put(self, "code", TakenCode.by(frame, function));
   }
 
   @Builtin(doc = "Evaluates the expression, each time anew.")
@@ -45,8 +47,15 @@ final class LazyType {
         frame
             .interpreter()
             .call(frame, frame.interpreter().get(frame, self, code(self)), frame.self());
-    OwnSlots.put(self, "valueCache", result);
+    remember(frame, self, result);
     return result;
+  }
+
+  /** Keeps the value, unless the object is none that the caller may change. */
+  private static void remember(Frame frame, UrbiObject self, UrbiObject value) {
+    if (PermissionCheck.allowsChange(frame, self)) {
+      OwnSlots.put(self, "valueCache", value);
+    }
   }
 
   @Builtin(doc = "Evaluates the expression the first time, and remembers its value.")
@@ -54,7 +63,7 @@ final class LazyType {
     UrbiObject known = self.localSlot(cache(self));
     if (known == null) {
       known = eval(frame, self);
-      OwnSlots.put(self, "valueCache", known);
+      remember(frame, self, known);
     }
     return known;
   }

@@ -8,6 +8,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.library.value.Hashing;
@@ -22,7 +23,6 @@ import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
-import org.urbi.kernel.object.World;
 
 /** Dictionaries (manual, "Dictionary"). */
 @UrbiType(
@@ -245,11 +245,25 @@ final class DictionaryType {
     return event(caller, self, REMOVED);
   }
 
-  /** Makes the event, which takes the place of the function that makes it. */
+  /**
+   * The event, which takes the place of the function that makes it. It belongs to whom the
+   * dictionary belongs to, whoever asks for it first.
+   */
   private static UrbiObject event(Frame caller, UrbiDictionary self, String slot) {
-    World world = caller.interpreter().world();
-    UrbiObject event = caller.interpreter().send(caller, world.prototype("Event"), "new");
-    self.addSlot(world.symbol(slot), event);
+    Symbol name = caller.interpreter().world().symbol(slot);
+    UrbiObject known = self.localSlot(name);
+    if (known instanceof UrbiEvent) {
+      return known;
+    }
+    UrbiObject event = caller.interpreter().prototypes().event.cloned();
+    UrbiObject ownerLobby = self.ownerLobby();
+    if (ownerLobby != null) {
+      event.setOwnerLobby(ownerLobby);
+    }
+    if (known == null) {
+      self.addSlot(name, event);
+    }
+    // Otherwise it has a function of that name, as the prototype has: nothing emits the event.
     return event;
   }
 

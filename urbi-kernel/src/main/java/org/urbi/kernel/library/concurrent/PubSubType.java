@@ -6,6 +6,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -18,8 +19,10 @@ final class PubSubType {
   private PubSubType() {}
 
   @Builtin(doc = "Without any subscriber.", needs = Permission.CHANGE)
-  static void init(UrbiObject self) {
-    OwnSlots.put(self, "subscribers", self.world().values().list(List.of()));
+  static void init(Frame frame, UrbiObject self) {
+    UrbiList none = self.world().values().list(List.of());
+    PermissionCheck.claimForObserver(frame, none);
+    OwnSlots.put(self, "subscribers", none);
   }
 
   private static UrbiList subscribers(Frame frame, UrbiObject self) {
@@ -40,10 +43,20 @@ final class PubSubType {
     return ev;
   }
 
-  @Builtin(doc = "A new subscriber, for whom values are queued from now on.")
-  static UrbiObject subscribe(Frame frame, UrbiObject self) {
-    UrbiObject subscriber = self.world().prototype("PubSub.Subscriber").cloned();
+  /** The subscribers, to be changed: an object may have inherited those of another one. */
+  private static UrbiList changeable(Frame frame, String routine, UrbiObject self) {
     UrbiList all = subscribers(frame, self);
+    PermissionCheck.checkChange(frame, routine, all);
+    return all;
+  }
+
+  @Builtin(
+      doc = "A new subscriber, for whom values are queued from now on.",
+      needs = Permission.CHANGE)
+  static UrbiObject subscribe(Frame frame, UrbiObject self) {
+    UrbiList all = changeable(frame, "subscribe", self);
+    UrbiObject subscriber = self.world().prototype("PubSub.Subscriber").cloned();
+    PermissionCheck.claimForObserver(frame, subscriber);
     all.modify().add(subscriber);
     all.noteContentChange();
     return subscriber;
@@ -51,7 +64,7 @@ final class PubSubType {
 
   @Builtin(doc = "Queues nothing more for that subscriber.", needs = Permission.CHANGE)
   static void unsubscribe(Frame frame, UrbiObject self, UrbiObject sub) {
-    UrbiList all = subscribers(frame, self);
+    UrbiList all = changeable(frame, "unsubscribe", self);
     all.modify().removeIf(each -> each == sub);
     all.noteContentChange();
   }

@@ -21,14 +21,18 @@ final class SubscriberType {
     return new UrbiSubscriber(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "The oldest value in the queue; waits for one if there is none.")
+  @Builtin(
+      doc = "The oldest value in the queue; waits for one if there is none.",
+      needs = Permission.CHANGE)
   static UrbiObject getOne(Frame frame, CallSite site, UrbiSubscriber self) {
     WaitingCall.note(frame, site);
     self.awaitValue(frame.job());
     return self.poll();
   }
 
-  @Builtin(doc = "All the values in the queue; waits for one if there is none.")
+  @Builtin(
+      doc = "All the values in the queue; waits for one if there is none.",
+      needs = Permission.CHANGE)
   static List<UrbiObject> getAll(Frame frame, CallSite site, UrbiSubscriber self) {
     WaitingCall.note(frame, site);
     self.awaitValue(frame.job());

@@ -12,7 +12,9 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.object.ObjectType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -34,6 +36,7 @@ public final class TagType {
     if (self.localSlot(slot) == null) {
       self.addSlot(slot, frame.interpreter().values().string(chosen));
     }
+    PermissionCheck.claim(frame, self);
   }
 
   @Builtin(doc = "The tag as text: Tag<name>.")
@@ -63,6 +66,7 @@ public final class TagType {
       return ((UrbiLobby) frame.job().lobby()).connectionTag();
     }
     UrbiTag tag = (UrbiTag) frame.interpreter().prototypes().tag.cloned();
+    PermissionCheck.claim(frame, tag);
     end.add(
         () -> tag.state().stop(frame.job().scheduler(), frame.interpreter().values().voidObject));
     return tag;
@@ -71,7 +75,9 @@ public final class TagType {
   @Builtin(
       doc = "Ends the code under the tag, which returns that value.",
       needs = Permission.CHANGE)
-  static void stop(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
+  static void stop(
+      Frame frame, CallSite site, UrbiTag self, @Optional @Nullable UrbiObject result) {
+    PermissionCheck.checkControl(frame, site.calledName(), self.state());
     self.state().stop(frame.job().scheduler(), result(frame, result));
     frame.job().checkInjected();
   }
@@ -79,7 +85,9 @@ public final class TagType {
   @Builtin(
       doc = "Ends the code under the tag, and lets none begin; it returns that value.",
       needs = Permission.CHANGE)
-  static void block(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
+  static void block(
+      Frame frame, CallSite site, UrbiTag self, @Optional @Nullable UrbiObject result) {
+    PermissionCheck.checkControl(frame, site.calledName(), self.state());
     self.state().block(frame.job().scheduler(), result(frame, result));
     frame.job().checkInjected();
   }
@@ -97,7 +105,8 @@ public final class TagType {
   @Builtin(
       doc = "Suspends the code under the tag, and the code that enters it.",
       needs = Permission.CHANGE)
-  static void freeze(Frame frame, UrbiTag self) {
+  static void freeze(Frame frame, CallSite site, UrbiTag self) {
+    PermissionCheck.checkControl(frame, site.calledName(), self.state());
     self.state().freeze();
     frame.job().waitWhileFrozen();
   }
@@ -133,7 +142,7 @@ public final class TagType {
   static UrbiEvent enter(Frame frame, UrbiTag self) {
     UrbiEvent known = self.enterEvent();
     if (known == null) {
-      known = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
+      known = event(frame, self);
       self.setEnterEvent(known);
     }
     return known;
@@ -143,10 +152,20 @@ public final class TagType {
   static UrbiEvent leave(Frame frame, UrbiTag self) {
     UrbiEvent known = self.leaveEvent();
     if (known == null) {
-      known = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
+      known = event(frame, self);
       self.setLeaveEvent(known);
     }
     return known;
+  }
+
+  /** A new event of a tag, which belongs to the tag's own lobby, whoever asks for it first. */
+  private static UrbiEvent event(Frame frame, UrbiTag self) {
+    UrbiEvent made = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
+    UrbiObject ownerLobby = self.ownerLobby();
+    if (ownerLobby != null) {
+      made.setOwnerLobby(ownerLobby);
+    }
+    return made;
   }
 
   @Builtin(doc = "A tag under this one which tells when code enters it.")

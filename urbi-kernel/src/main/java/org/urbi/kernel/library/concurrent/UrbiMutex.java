@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
@@ -26,6 +27,8 @@ final class UrbiMutex extends UrbiTag {
 
   @Override
   protected void entering(Frame frame) {
+    // Whoever enters keeps the others out.
+    PermissionCheck.checkChange(frame, "lock", this);
     Job job = frame.job();
     if (owner != job) {
       if (owner == null && queue.isEmpty()) {

@@ -32,14 +32,14 @@ final class ChannelType {
               : frame
                   .interpreter()
                   .asString(frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
-      LobbyType.output(frame, self).send(name(frame, self), text);
+      LobbyType.output(frame, "<<", self).send(name(frame, self), text);
     }
   }
 
   @Builtin(doc = "Sends a value as a message.")
   static void echo(Frame frame, UrbiObject self, UrbiObject value) {
     if (isOn(frame, self, "enabled")) {
-      LobbyType.output(frame, self)
+      LobbyType.output(frame, "echo", self)
           .send(name(frame, self), "*** " + frame.interpreter().asString(frame, value));
     }
   }

@@ -55,7 +55,7 @@ public final class LobbyType {
   }
 
   /** The output for a message; nobody may send to a lobby in the name of another one. */
-  private static Output output(Frame frame, String routine, UrbiObject self) {
+  static Output output(Frame frame, String routine, UrbiObject self) {
     if (self instanceof UrbiLobby lobby && lobby.isInstance()) {
       PermissionCheck.checkChange(frame, routine, lobby);
     }

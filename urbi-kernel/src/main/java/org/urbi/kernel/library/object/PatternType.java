@@ -48,7 +48,9 @@ final class PatternType {
     return self.world().values().dictionary(Map.of());
   }
 
-  @Builtin(doc = "Whether a value matches; bindings has then what it has bound.")
+  @Builtin(
+      doc = "Whether a value matches; bindings has then what it has bound.",
+      needs = Permission.CHANGE)
   static boolean match(Frame frame, UrbiObject self, UrbiObject value) {
     forget(self);
     return matchPattern(frame, self, OwnSlots.get(frame, self, PATTERN), value);

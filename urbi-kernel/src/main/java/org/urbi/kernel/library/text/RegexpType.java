@@ -13,6 +13,7 @@ import org.urbi.kernel.job.Steps;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.lang.print.StringEscape;
@@ -79,7 +80,9 @@ final class RegexpType {
       groups[i] = matcher.start(i / 2);
       groups[i + 1] = matcher.end(i / 2);
     }
-    self.setMatch(found ? str : "", groups);
+    if (PermissionCheck.allowsChange(caller, self)) {
+      self.setMatch(found ? str : "", groups);
+    }
     return found;
   }
 

@@ -30,6 +30,13 @@ final class UConnectionType {
 
   @Builtin(doc = "Leads the values of a variable to another.", needs = Permission.CHANGE)
   void init(Frame frame, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
+    connect(frame, "init", self, source, target);
+  }
+
+  private void connect(
+      Frame frame, String routine, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
+    // Whoever writes the source will write the target.
+    UVarType.checkWrite(frame, routine, target);
     self.connect(frame, source, target);
     uobjects.connections().add(self);
   }
@@ -42,10 +49,11 @@ final class UConnectionType {
 
   @Builtin(doc = "Has the link begin at another variable.", needs = Permission.CHANGE)
   void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
-    if (self.target() == null) {
+    UrbiUVar target = self.target();
+    if (target == null) {
       throw frame.interpreter().errors().primitive("reconnect", Problem.LINK_WITHOUT_TARGET);
     }
-    init(frame, self, src, self.target());
+    connect(frame, "reconnect", self, src, target);
   }
 
   @Builtin(doc = "Where it begins and ends, to be shown.")

@@ -60,6 +60,15 @@ final class UVarType {
         hooked == null || Truth.of(frame, hooked));
   }
 
+  /** Refuses to write a variable that stands behind a slot which the caller may not change. */
+  static void checkWrite(Frame frame, String routine, UrbiUVar variable) {
+    PermissionCheck.checkChange(frame, routine, variable);
+    UrbiObject owner = variable.owner();
+    if (owner != null) {
+      PermissionCheck.checkChange(frame, routine, owner);
+    }
+  }
+
   @Builtin(doc = "The object behind whose slot it stands; nil when that has gone.")
   static UrbiObject owner(Frame frame, UrbiUVar self) {
     UrbiObject owner = self.owner();
@@ -165,6 +174,7 @@ final class UVarType {
       doc = "Sets the value; if it has two, the commanded one.",
       needs = Permission.CHANGE)
   static void assignVal(Frame frame, UrbiUVar self, UrbiObject value) {
+    checkWrite(frame, "val", self);
     self.write(frame, new Datum(TakenCode.by(frame, value)));
   }
 
@@ -190,6 +200,7 @@ final class UVarType {
       doc = "Sets the value that everybody reads.",
       needs = Permission.CHANGE)
   static void assignValsensor(Frame frame, UrbiUVar self, UrbiObject value) {
+    checkWrite(frame, "valsensor", self);
     self.set(frame, new Datum(TakenCode.by(frame, value)));
   }
 
@@ -199,6 +210,7 @@ final class UVarType {
               + " affair.",
       needs = Permission.CHANGE)
   void update_timed(Frame frame, UrbiUVar self, UrbiObject value, double microseconds) {
+    checkWrite(frame, "update_timed", self);
     UrbiObject taken = TakenCode.by(frame, value);
     Runnable writing = () -> self.write(frame, new Datum(taken));
     if (LobbyType.of(frame).remoteObjects() instanceof ExternalProcess process) {
