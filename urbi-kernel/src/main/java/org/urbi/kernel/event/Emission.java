@@ -66,7 +66,10 @@ public final class Emission implements EmissionNote {
       over = true;
       event.ended(this);
       for (Subscription subscription : told) {
-        subscription.end(this, emitter);
+        if (!event.hasGuests()
+            || !event.setApart(subscription, emitter, job -> subscription.end(this, job))) {
+          subscription.end(this, emitter);
+        }
       }
     }
   }

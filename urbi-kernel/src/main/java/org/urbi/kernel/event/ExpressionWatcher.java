@@ -33,6 +33,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
   private final WatchedSources sources = new WatchedSources(this);
   private @Nullable Job evaluator;
   private boolean again;
+  private boolean apart;
   private boolean closed;
 
   ExpressionWatcher(Frame home, Node expression, Listener listener) {
@@ -87,8 +88,27 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     }
     if (running == null) {
       startEvaluation(scheduler);
+    } else if (running.onBehalf().isAbove(lobby)) {
+      setApart(scheduler);
     } else {
       evaluateAgain(running);
+    }
+  }
+
+  /** Who may do more neither waits for the condition nor is ended with it; changes add up. */
+  private void setApart(Scheduler scheduler) {
+    if (!apart) {
+      apart = true;
+      scheduler
+          .startDetached(
+              lobby,
+              scheduler.rootScope(),
+              "watch",
+              job -> {
+                apart = false;
+                evaluateAgain(job);
+              })
+          .onEnd(() -> apart = false);
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.Shape;
@@ -22,10 +23,16 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   private final long number;
   private Map<Subscription, UrbiSubscription> known = Map.of();
 
+  /** Who has subscribed, of lobbies that may not do everything. */
+  private Map<Subscription, Guest> guests = Map.of();
+
   /** How many subscriptions have ended. */
   private long departures;
 
   private @Nullable Runnable subscribed;
+
+  /** For what lobby, and under which tags, a subscription was made. */
+  private record Guest(UrbiObject lobby, TagScope scope) {}
 
   public UrbiEvent(Shape shape) {
     super(shape);
@@ -63,6 +70,12 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
    */
   public void subscribe(Subscription subscription, Job job) {
     subscriptions.add(subscription);
+    if (!job.isOwner()) {
+      if (guests.isEmpty()) {
+        guests = new IdentityHashMap<>();
+      }
+      guests.put(subscription, new Guest(job.lobby(), job.scope()));
+    }
     for (Emission emission : new ArrayList<>(lasting)) {
       begin(emission, subscription, job);
     }
@@ -120,6 +133,39 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     if (!known.isEmpty()) {
       known.remove(subscription);
     }
+    if (!guests.isEmpty()) {
+      guests.remove(subscription);
+    }
+  }
+
+  /** Whether code has subscribed that may not do everything. */
+  boolean hasGuests() {
+    return !guests.isEmpty();
+  }
+
+  /**
+   * Has a subscription begin or end in a job of its own, if its lobby may do less than the emitter:
+   * who emits does not wait for it, nor is ended with it.
+   *
+   * @return whether it does so
+   */
+  boolean setApart(Subscription subscription, Job emitter, Job.Body body) {
+    Guest guest = guests.get(subscription);
+    if (guest == null || !emitter.onBehalf().isAbove(guest.lobby)) {
+      return false;
+    }
+    emitter
+        .scheduler()
+        .startDetached(
+            guest.lobby,
+            guest.scope,
+            "at",
+            job -> {
+              if (subscriptions.contains(subscription)) {
+                body.run(job);
+              }
+            });
+    return true;
   }
 
   /** Emits the event without duration. */
@@ -151,6 +197,10 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   private void flash(Subscription subscription, Job emitter, boolean sync, UrbiObject[] payload) {
+    if (!guests.isEmpty()
+        && setApart(subscription, emitter, job -> flash(subscription, job, sync, payload))) {
+      return;
+    }
     Emission emission = new Emission(this, payload, sync);
     UrbiSubscription terms = known.get(subscription);
     if (terms == null) {
@@ -161,6 +211,10 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   private void begin(Emission emission, Subscription subscription, Job emitter) {
+    if (!guests.isEmpty()
+        && setApart(subscription, emitter, job -> begin(emission, subscription, job))) {
+      return;
+    }
     UrbiSubscription terms = known.get(subscription);
     if (terms == null) {
       emission.begin(subscription, emitter);

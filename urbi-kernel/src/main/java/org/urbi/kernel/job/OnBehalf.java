@@ -51,6 +51,14 @@ public final class OnBehalf {
     return role;
   }
 
+  /**
+   * Whether that lobby may do less than the job: its code must not hold up the job, or end it, when
+   * the job sets it off.
+   */
+  public boolean isAbove(UrbiObject other) {
+    return RoleHolder.roleOf(other).compareTo(role) < 0;
+  }
+
   /** From now on the job runs for another lobby; its budget remains. */
   public void become(UrbiObject other) {
     lobby = other;

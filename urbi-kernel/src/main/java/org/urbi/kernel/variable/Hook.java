@@ -21,11 +21,6 @@ public interface Hook {
 
   /** Calls a function of urbiscript, whose target is the variable, for who installs the hook. */
   static Hook calling(Frame installer, UrbiObject function) {
-    UrbiObject lobby = installer.job().lobby();
-    return (frame, variable, value) ->
-        frame
-            .job()
-            .onBehalf()
-            .doFor(lobby, () -> frame.interpreter().call(frame, function, variable));
+    return new FunctionHook(installer.job().lobby(), function);
   }
 }
