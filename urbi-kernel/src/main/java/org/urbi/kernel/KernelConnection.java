@@ -3,6 +3,7 @@ package org.urbi.kernel;
 import static java.util.Objects.requireNonNull;
 
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
@@ -32,6 +33,13 @@ final class KernelConnection extends ConnectionParts
   private final Client client;
   private final boolean holdsTime;
   private final AtomicInteger pending = new AtomicInteger();
+
+  /**
+   * Whether an interruption waits for the kernel behind all that was sent: another one would do
+   * nothing more, and a client could fill the memory with them while the kernel is held.
+   */
+  private final AtomicBoolean interruptionWaits = new AtomicBoolean();
+
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -60,6 +68,7 @@ final class KernelConnection extends ConnectionParts
   @Override
   public void send(String bytes) {
     pending.addAndGet(bytes.length());
+    interruptionWaits.set(false);
     try {
       kernel.inbox().post(new Message.ConsoleBytes(number, bytes));
     } catch (OutOfMemoryError e) {
@@ -103,7 +112,14 @@ final class KernelConnection extends ConnectionParts
   @Override
   public void interrupt() {
     interruptRunning(Interruptions.EVERYTHING);
-    kernel.inbox().post(new Message.Interrupted(number));
+    if (interruptionWaits.compareAndSet(false, true)) {
+      try {
+        kernel.inbox().post(new Message.Interrupted(number));
+      } catch (OutOfMemoryError e) {
+        interruptionWaits.set(false);
+        throw e;
+      }
+    }
   }
 
   @Override
@@ -332,6 +348,8 @@ final class KernelConnection extends ConnectionParts
   }
 
   private void interrupted() {
+    // First of all: a request from now on has a message of its own, which clears it.
+    interruptionWaits.set(false);
     kernel.scheduler().interruptions().clear(lobby());
     if (!finished) {
       lobby().shell().interrupt();

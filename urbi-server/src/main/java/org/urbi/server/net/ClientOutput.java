@@ -49,7 +49,7 @@ final class ClientOutput {
   /**
    * @param limit how many bytes may wait before the next one is too much
    * @param totalOutput what waits for all clients
-   * @param onOverflow called once, in the kernel's thread, when there is too much
+   * @param onOverflow called once, by whoever adds, when there is too much
    */
   ClientOutput(Channel channel, long limit, TotalOutput totalOutput, Runnable onOverflow) {
     this.channel = channel;

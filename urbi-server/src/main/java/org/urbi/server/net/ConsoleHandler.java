@@ -120,8 +120,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
     Connection lobby = over ? null : connection;
     if (event instanceof OperatorRequest request && lobby != null) {
-      String told = "[00000000" + OperatorRequest.ANSWER + lobby.interrupt(request.lobby()) + "\n";
-      context.writeAndFlush(Unpooled.copiedBuffer(told, StandardCharsets.ISO_8859_1));
+      answer(request, lobby);
     } else if (event instanceof Role role && lobby != null) {
       lobby.giveRole(role);
     } else if (event == TelnetInterrupt.INSTANCE && lobby != null) {
@@ -137,6 +136,15 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
       }
     }
     context.fireUserEventTriggered(event);
+  }
+
+  /**
+   * There may be thousands of them in what was just read, behind the one for which it is let go.
+   */
+  private void answer(OperatorRequest request, Connection lobby) {
+    if (context.channel().isOpen()) {
+      output("[00000000" + OperatorRequest.ANSWER + lobby.interrupt(request.lobby()) + "\n");
+    }
   }
 
   @Override

@@ -238,7 +238,8 @@ public final class ConsoleServer implements AutoCloseable {
           new ProtocolDetector(
               () -> new FrameHandler(remotes, datagrams, trace), Version.number()));
     }
-    pipeline.addLast(new TelnetDecoder(), new ConsoleHandler(lobbies, limits, totalOutput, trace));
+    ConsoleHandler console = new ConsoleHandler(lobbies, limits, totalOutput, trace);
+    pipeline.addLast(new TelnetDecoder(console::output), console);
   }
 
   /**

@@ -90,7 +90,8 @@ public final class ModuleNetwork implements AutoCloseable {
           .addLast(
               new TokenAuthenticator(policy, new TokenThrottle(new SystemClock()), trace),
               new ProtocolDetector(() -> admit(client), Version.number()),
-              new TelnetDecoder(),
+              // No module asks as telnet does.
+              new TelnetDecoder(answer -> {}),
               new SimpleChannelInboundHandler<ByteBuf>() {
                 @Override
                 protected void channelRead0(ChannelHandlerContext context, ByteBuf code) {

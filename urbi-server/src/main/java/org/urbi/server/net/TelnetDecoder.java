@@ -1,14 +1,17 @@
 package org.urbi.server.net;
 
 import io.netty.buffer.ByteBuf;
-import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
+import java.util.function.Consumer;
 
 /**
  * Removes the telnet commands (RFC 854) from the input of a client, and answers them: it refuses
  * all options. The interrupt key of a telnet client becomes a {@link TelnetInterrupt}. The payload
  * of a binary literal passes unchanged.
+ *
+ * <p>Answers go where the output of the client goes: whoever asks without end, and reads nothing,
+ * is let go as for any other output.
  */
 final class TelnetDecoder extends ChannelInboundHandlerAdapter {
   private static final int SE = 240;
@@ -21,7 +24,7 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
   private static final int DO = 253;
   private static final int DONT = 254;
   private static final int IAC = 255;
-  private static final byte[] YES = {'[', 'y', 'e', 's', ']', '\r', '\n'};
+  private static final String YES = "[yes]\r\n";
 
   private enum State {
     DATA,
@@ -32,25 +35,34 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
     SUBNEGOTIATION_COMMAND
   }
 
+  private final Consumer<String> answers;
   private final BinaryLiteralDetector binary = new BinaryLiteralDetector();
   private State state = State.DATA;
   private final StringBuilder subnegotiation = new StringBuilder();
   private int command;
 
+  /**
+   * @param answers takes what the client is answered, a byte in each character; on the network
+   *     thread
+   */
+  TelnetDecoder(Consumer<String> answers) {
+    this.answers = answers;
+  }
+
   @Override
   public void channelRead(ChannelHandlerContext context, Object message) {
     ByteBuf in = (ByteBuf) message;
     ByteBuf out = context.alloc().buffer(in.readableBytes());
-    ByteBuf reply = Unpooled.EMPTY_BUFFER;
+    StringBuilder answer = new StringBuilder(0);
     try {
       while (in.isReadable()) {
-        reply = take(context, in.readByte(), out, reply);
+        take(context, in.readByte(), out, answer);
       }
     } finally {
       in.release();
     }
-    if (reply.isReadable()) {
-      context.writeAndFlush(reply);
+    if (!answer.isEmpty()) {
+      answers.accept(answer.toString());
     }
     if (out.isReadable()) {
       context.fireChannelRead(out);
@@ -59,7 +71,7 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
     }
   }
 
-  private ByteBuf take(ChannelHandlerContext context, byte b, ByteBuf out, ByteBuf reply) {
+  private void take(ChannelHandlerContext context, byte b, ByteBuf out, StringBuilder answer) {
     int code = b & 0xff;
     switch (state) {
       case DATA -> data(b, out);
@@ -82,15 +94,15 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
         } else if (code == INTERRUPT_PROCESS || code == BREAK) {
           context.fireUserEventTriggered(TelnetInterrupt.INSTANCE);
         } else if (code == ARE_YOU_THERE) {
-          return answer(context, reply, YES);
+          answer.append(YES);
         }
       }
       case OPTION -> {
         state = State.DATA;
         if (command == DO) {
-          return answer(context, reply, new byte[] {(byte) IAC, (byte) WONT, b});
+          answer.append((char) IAC).append((char) WONT).append((char) code);
         } else if (command == WILL) {
-          return answer(context, reply, new byte[] {(byte) IAC, (byte) DONT, b});
+          answer.append((char) IAC).append((char) DONT).append((char) code);
         }
       }
       case SUBNEGOTIATION -> {
@@ -107,7 +119,6 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
         }
       }
     }
-    return reply;
   }
 
   private void subnegotiated(ChannelHandlerContext context) {
@@ -133,10 +144,5 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
   private void pass(byte b, ByteBuf out) {
     binary.accept(b);
     out.writeByte(b);
-  }
-
-  private static ByteBuf answer(ChannelHandlerContext context, ByteBuf reply, byte[] bytes) {
-    ByteBuf to = reply.isReadable() ? reply : context.alloc().buffer();
-    return to.writeBytes(bytes);
   }
 }

@@ -18,7 +18,10 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.urbi.server.Trace;
 
 class ConsoleHandlerTest {
@@ -165,6 +168,54 @@ class ConsoleHandlerTest {
     String said = log.toString(StandardCharsets.UTF_8);
     assertEquals(1, said.lines().count(), said);
     assertTrue(said.contains("does not read"), said);
+  }
+
+  private static final String INTERRUPT_ANYBODY =
+      new String(OperatorRequest.bytes(""), StandardCharsets.ISO_8859_1);
+
+  /** Questions of telnet and requests of operators are cheap, and the answers want memory, too. */
+  @ParameterizedTest
+  @MethodSource("questions")
+  void clientThatAsksWithoutEndAndReadsNoAnswerIsDisconnected(String question) {
+    EmbeddedChannel channel =
+        new EmbeddedChannel(new Stuck(), new TelnetDecoder(handler::output), handler);
+    int asked = 0;
+    while (channel.isOpen() && asked < 1000) {
+      channel.writeInbound(bytes(question));
+      channel.runPendingTasks();
+      asked++;
+    }
+    assertFalse(channel.isOpen());
+    assertEquals(List.of("close"), lobby.calls);
+    String said = log.toString(StandardCharsets.UTF_8);
+    assertTrue(said.contains("does not read"), said);
+  }
+
+  static Stream<String> questions() {
+    return Stream.of("\u00ff\u00f6", "\u00ff\u00fd\u0001", "\u00ff\u00fb\u0003", INTERRUPT_ANYBODY);
+  }
+
+  @Test
+  void nothingIsDoneForWhoIsLetGo() {
+    EmbeddedChannel channel =
+        new EmbeddedChannel(new Stuck(), new TelnetDecoder(handler::output), handler);
+    channel.writeInbound(bytes(INTERRUPT_ANYBODY.repeat(10_000)));
+    channel.runPendingTasks();
+    assertFalse(channel.isOpen());
+    assertTrue(lobby.requests < 100, "requests: " + lobby.requests);
+  }
+
+  /** In one piece with much else, and all of them read. */
+  @Test
+  void whoeverReadsTheAnswersStaysConnected() {
+    EmbeddedChannel channel = new EmbeddedChannel(new TelnetDecoder(handler::output), handler);
+    for (int i = 0; i < 10; ++i) {
+      channel.writeInbound(bytes("\u00ff\u00f6".repeat(1000)));
+      assertEquals(7000, sent(channel).length());
+    }
+    channel.writeInbound(bytes(INTERRUPT_ANYBODY));
+    assertEquals("[00000000" + OperatorRequest.ANSWER + "asked for \n", sent(channel));
+    assertTrue(channel.isOpen());
   }
 
   @Test

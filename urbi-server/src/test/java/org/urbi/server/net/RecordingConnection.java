@@ -24,6 +24,9 @@ final class RecordingConnection implements Connection {
   /** How many times there will be no memory for what is sent. */
   int failures;
 
+  /** How many requests of operators have come. */
+  int requests;
+
   @Override
   public int number() {
     return 1;
@@ -175,6 +178,7 @@ final class RecordingConnection implements Connection {
 
   @Override
   public String interrupt(String lobby) {
+    requests++;
     return "asked for " + lobby;
   }
 }

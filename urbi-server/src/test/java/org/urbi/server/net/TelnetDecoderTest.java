@@ -33,9 +33,10 @@ class TelnetDecoderTest {
 
   private static Outcome feed(List<String> pieces) {
     List<Object> events = new ArrayList<>();
+    StringBuilder reply = new StringBuilder();
     EmbeddedChannel channel =
         new EmbeddedChannel(
-            new TelnetDecoder(),
+            new TelnetDecoder(reply::append),
             new ChannelInboundHandlerAdapter() {
               @Override
               public void userEventTriggered(ChannelHandlerContext context, Object event) {
@@ -43,11 +44,9 @@ class TelnetDecoderTest {
               }
             });
     StringBuilder text = new StringBuilder();
-    StringBuilder reply = new StringBuilder();
     for (String piece : pieces) {
       channel.writeInbound(Unpooled.copiedBuffer(piece, StandardCharsets.ISO_8859_1));
       drain(channel.inboundMessages(), text);
-      drain(channel.outboundMessages(), reply);
     }
     channel.finishAndReleaseAll();
     return new Outcome(text.toString(), reply.toString(), events);
