@@ -70,13 +70,8 @@ final class HoldLimit {
   static String described(Job job, @Nullable String component) {
     String text = "job " + job.name();
     if (job.lobby() instanceof UrbiLobby lobby && lobby.isInstance()) {
-      text += " of " + described(lobby);
+      text += " of " + lobby.description();
     }
     return component == null ? text : text + ", in " + component + ",";
-  }
-
-  static String described(UrbiLobby lobby) {
-    String name = lobby.name();
-    return lobby.remoteAddress().isEmpty() ? name : name + " (" + lobby.remoteAddress() + ")";
   }
 }

@@ -30,6 +30,9 @@ final class KernelConnection extends ConnectionParts
   /** With how many unread bytes a client is sent no more that users send to all. */
   private static final long MOST_FROM_OTHERS = 1 << 20;
 
+  /** How much code of a client may put into the log in a second, in characters. */
+  private static final int LOG_OF_CLIENT = 1 << 14;
+
   private final Client client;
   private final boolean holdsTime;
   private final AtomicInteger pending = new AtomicInteger();
@@ -144,7 +147,7 @@ final class KernelConnection extends ConnectionParts
 
   @Override
   public String description() {
-    return HoldLimit.described(lobby());
+    return lobby().description();
   }
 
   @Override
@@ -218,6 +221,9 @@ final class KernelConnection extends ConnectionParts
     Budget budget = new Budget(this::limited);
     limits = opened.budget();
     budget.setLimits(limits);
+    if (!program) {
+      budget.limitLog(LOG_OF_CLIENT);
+    }
     Output output =
         new Output(
             kernel.scheduler(),

@@ -129,10 +129,10 @@ final class OutOfBandControl {
       return Problem.NO_SUCH_LOBBY.text(
           lobby,
           connections.values().stream()
-              .map(each -> HoldLimit.described(each.lobby()))
+              .map(each -> each.lobby().description())
               .collect(Collectors.joining(", ")));
     }
     connection.interrupt();
-    return Problem.INTERRUPTED_LOBBY.text(HoldLimit.described(connection.lobby()));
+    return Problem.INTERRUPTED_LOBBY.text(connection.lobby().description());
   }
 }

@@ -6,6 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.time.RateLimit;
 
 /**
  * The limits of a lobby, and how much of each resource it uses at present. Code that is about to
@@ -45,6 +46,7 @@ public final class Budget {
   private @Nullable Budget common;
 
   private Runnable whenUseChanges = () -> {};
+  private RateLimit log = new RateLimit(UNLIMITED);
 
   /** A budget without limits. */
   public Budget() {
@@ -183,6 +185,16 @@ public final class Budget {
   /** Whose turn it is when one of its jobs runs: another one, if it has {@link #join joined} it. */
   public Budget account() {
     return common == null ? this : common;
+  }
+
+  /** How many characters its code may put into the log of the kernel; no limit at first. */
+  public RateLimit log() {
+    return log;
+  }
+
+  /** Sets that limit, for each second. */
+  public void limitLog(long most) {
+    log = new RateLimit(most);
   }
 
   /** Whether that amount is within the limit. */

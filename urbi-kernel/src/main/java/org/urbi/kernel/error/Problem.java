@@ -371,6 +371,9 @@ public enum Problem {
   EVICTING(PART, "ending what is done for {whom}"),
   LETTING_GO(PART, "letting {whom} go"),
   EVICTED(LINE, "{reason}: the jobs of this lobby are ended"),
+  LOGS_TOO_MUCH(LINE, "{lobby} logs too much: messages of it are lost from here on"),
+  CLIENTS_LOG_TOO_MUCH(
+      LINE, "clients log too much together: messages of them are lost from here on"),
   LEFT_BEHIND(LINE, "{reason}: ending what {lobby} has left behind, {count} jobs"),
   COMMON_BUDGET(PART, "clients that have left may have {limit} {what} together"),
   NOBODY_HOLDS(LINE, "nobody holds the kernel"),

@@ -103,6 +103,11 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     return name;
   }
 
+  /** Its name, and where its client is, for people. */
+  public String description() {
+    return remoteAddress.isEmpty() ? name : name + " (" + remoteAddress + ")";
+  }
+
   @Override
   public Role role() {
     return role;

@@ -40,6 +40,19 @@ class LogTest {
     assertEquals(List.of("first a", "second a", "second b"), heard);
   }
 
+  /** What the kernel itself tells has names in it that clients have chosen. */
+  @Test
+  void noMessageLooksLikeTwoOrIsObeyedByATerminal() {
+    KernelLog kernelLog = new KernelLog(LogLevel.LOG, log::add);
+    kernelLog.write("urbi: job a\nurbi: memory exhausted\r\u001b[2J\u0085\u2028\u202e");
+    kernelLog.write("température :\t20°, 温度 \ud83e\udd16");
+    assertEquals(
+        List.of(
+            "urbi: job a\n    urbi: memory exhausted\\x0d\\x1b[2J\\x85\\u2028\\u202e",
+            "température :\t20°, 温度 \ud83e\udd16"),
+        log);
+  }
+
   @Test
   void levelsHaveNamesAndNumbers() {
     for (LogLevel each : LogLevel.values()) {

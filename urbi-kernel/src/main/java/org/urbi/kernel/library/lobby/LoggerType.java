@@ -23,10 +23,10 @@ import org.urbi.kernel.object.World;
     doc = "A category of messages for the administrator of the server.",
     needs = Permission.NOTHING)
 final class LoggerType {
-  private final KernelLog log;
+  private final Reports reports;
 
   LoggerType(KernelLog log) {
-    this.log = log;
+    reports = new Reports(log);
   }
 
   static UrbiObject newPrototype(World world) {
@@ -92,9 +92,9 @@ final class LoggerType {
     if (message == null) {
       return self.at(level, name);
     }
-    if (level != LogLevel.NONE && log.shows(level)) {
+    if (reports.shows(level)) {
       String text = frame.interpreter().asString(frame, message);
-      log.write(Utf8Text.toJava(self.line(name, text)));
+      reports.write(frame.job(), self, Utf8Text.toJava(name), Utf8Text.toJava(text));
     }
     return self;
   }
@@ -154,13 +154,13 @@ final class LoggerType {
   }
 
   @Builtin(doc = "Called when code under the logger begins: indents what is reported.")
-  static void onEnter(UrbiLogger self) {
-    self.indent();
+  static void onEnter(Frame frame, UrbiLogger self) {
+    self.indent(frame.job().lobby());
   }
 
   @Builtin(doc = "Called when code under the logger ends.")
-  static void onLeave(UrbiLogger self) {
-    self.unindent();
+  static void onLeave(Frame frame, UrbiLogger self) {
+    self.unindent(frame.job().lobby());
   }
 
   @Builtin(doc = "The logger as text: Logger<category>.")

@@ -1,5 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
+import java.util.Map;
+import java.util.WeakHashMap;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.Frame;
@@ -14,9 +16,21 @@ final class UrbiLogger extends UrbiTag {
   /** How deep messages are indented at most: more would hide them. */
   private static final int DEEPEST = 32;
 
-  /** The indentation, shared by all the loggers of a kernel. */
+  /** The indentation of each lobby, shared by all the loggers of a kernel. */
   static final class Depth {
-    private int value;
+    private final Map<UrbiObject, Integer> values = new WeakHashMap<>();
+
+    private int of(UrbiObject lobby) {
+      return values.getOrDefault(lobby, 0);
+    }
+
+    private void set(UrbiObject lobby, int value) {
+      if (value == 0) {
+        values.remove(lobby);
+      } else {
+        values.put(lobby, value);
+      }
+    }
   }
 
   private final Depth depth;
@@ -57,8 +71,8 @@ final class UrbiLogger extends UrbiTag {
     return new UrbiLogger(world().prototype("Logger").cloneShape(), depth, name, other);
   }
 
-  /** A line of the log: the category in the middle of brackets, the message. */
-  String line(String name, String message) {
+  /** A line of the log: the category in the middle of brackets, the message of a lobby. */
+  String line(UrbiObject lobby, String name, String message) {
     int room = Math.max(0, WIDTH - name.length());
     int before = room / 2;
     return "["
@@ -66,17 +80,18 @@ final class UrbiLogger extends UrbiTag {
         + name
         + " ".repeat(room - before)
         + "] "
-        + "  ".repeat(Math.min(depth.value, DEEPEST))
+        + "  ".repeat(Math.min(depth.of(lobby), DEEPEST))
         + message;
   }
 
-  void indent() {
-    depth.value++;
+  /** Indents what that lobby reports. */
+  void indent(UrbiObject lobby) {
+    depth.set(lobby, depth.of(lobby) + 1);
   }
 
   /** Ends an {@link #indent}, if there is one: code may ask for it too often. */
-  void unindent() {
-    depth.value = Math.max(0, depth.value - 1);
+  void unindent(UrbiObject lobby) {
+    depth.set(lobby, Math.max(0, depth.of(lobby) - 1));
   }
 
   @Override
