@@ -2,6 +2,9 @@ package org.urbi.server;
 
 import java.io.PrintStream;
 import java.util.Locale;
+import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.RateLimit;
+import org.urbi.kernel.time.SystemClock;
 
 /**
  * Writes messages for the administrator to the standard error stream: option {@code --debug} and
@@ -44,12 +47,25 @@ public final class Trace {
     }
   }
 
+  /** How many clients that are turned away are told of in a second. */
+  private static final int TURNED_AWAY = 10;
+
   private final Level level;
   private final PrintStream out;
+  private final Clock clock;
+  private final RateLimit turnedAway = new RateLimit(TURNED_AWAY);
 
   public Trace(Level level, PrintStream out) {
+    this(level, out, new SystemClock());
+  }
+
+  /**
+   * @param clock says how much a second is
+   */
+  Trace(Level level, PrintStream out, Clock clock) {
     this.level = level;
     this.out = out;
+    this.clock = clock;
   }
 
   /** The current level. */
@@ -60,6 +76,18 @@ public final class Trace {
   /** Logs a message for every administrator. */
   public void log(String message) {
     say(Level.LOG, message);
+  }
+
+  /**
+   * Logs, as {@link #log} does, that a client was turned away. It may come again and again, and
+   * must not fill the log so: of more than some in a second is told only that there are more.
+   */
+  public synchronized void turnedAway(String message) {
+    if (turnedAway.take(clock.now(), 1)) {
+      log(message);
+    } else if (turnedAway.beginsToRefuse()) {
+      log("more clients are turned away, of which nothing is told for a moment");
+    }
   }
 
   /** Logs a message that helps to debug unexpected behaviour. */

@@ -80,7 +80,8 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
   }
 
   private void refuse(ChannelHandlerContext context, String protocol) {
-    trace.log("client refused, it speaks " + protocol + ": " + context.channel().remoteAddress());
+    trace.turnedAway(
+        "client refused, it speaks " + protocol + ": " + context.channel().remoteAddress());
     context.channel().config().setAutoRead(false);
     String line =
         "[00000000:error] !!! this is the console of an Urbi server, which does not speak "

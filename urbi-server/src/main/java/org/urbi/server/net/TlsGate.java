@@ -101,7 +101,7 @@ public final class TlsGate extends ChannelInboundHandlerAdapter {
       return;
     }
     refused = true;
-    trace.log("client refused, it does not speak TLS: " + client.channel().remoteAddress());
+    trace.turnedAway("client refused, it does not speak TLS: " + client.channel().remoteAddress());
     client.channel().config().setAutoRead(false);
     String line =
         "[00000000:error] !!! this server speaks TLS alone (--tls, or URBI_TLS=1 in the"
