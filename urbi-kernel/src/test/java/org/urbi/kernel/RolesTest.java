@@ -105,6 +105,8 @@ class RolesTest {
         "Mutex.lock;",
         "var Exception.Lookup.x = 1;",
         "System.nonInterruptible;",
+        "1.srandom;",
+        "Math.srandom(1);",
         "Lobby.instances[1].setSlot(\"x\", 1);",
         "var Lobby.instances[1].x = 1;",
         "Lobby.instances[1].receive(\"shutdown;\");",

@@ -130,7 +130,7 @@ final class FloatFunctions {
 
   @Builtin(
       doc = "Makes the target the seed of the random numbers that follow.",
-      needs = Permission.USER)
+      needs = Permission.OWNER)
   static void srandom(Frame caller, UrbiFloat self) {
     caller.interpreter().world().randomNumbers().seed((long) self.value());
   }

@@ -102,7 +102,7 @@ final class MathType {
     return bounce(caller, site, self, x, "sqrt");
   }
 
-  @Builtin(doc = "Makes x the seed of the random numbers that follow.", needs = Permission.USER)
+  @Builtin(doc = "Makes x the seed of the random numbers that follow.", needs = Permission.OWNER)
   static UrbiObject srandom(Frame caller, CallSite site, UrbiObject self, UrbiObject x) {
     return bounce(caller, site, self, x, "srandom");
   }
