@@ -1,7 +1,7 @@
 package org.urbi.kernel.job;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashSet;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
@@ -34,7 +34,7 @@ public final class Job extends JobFacts implements Runnable {
   private JobState state = JobState.RUNNABLE;
   private @Nullable ControlFlowException injected;
   private final JobTime time;
-  private @Nullable List<Runnable> endListeners;
+  private @Nullable Set<Runnable> endListeners;
 
   /** The values of the {@linkplain JobLocal variables} that were set for this job. */
   JobLocal.@Nullable Entry locals;
@@ -231,6 +231,7 @@ public final class Job extends JobFacts implements Runnable {
     }
     if (endListeners != null) {
       endListeners.forEach(scheduler::attempt);
+      endListeners = null;
     }
   }
 
@@ -240,9 +241,16 @@ public final class Job extends JobFacts implements Runnable {
       listener.run();
     } else {
       if (endListeners == null) {
-        endListeners = new ArrayList<>(2);
+        endListeners = new LinkedHashSet<>(2);
       }
       endListeners.add(listener);
+    }
+  }
+
+  /** Runs that no more when the job ends: whoever has waited for it does so no longer. */
+  public void forgetOnEnd(Runnable listener) {
+    if (endListeners != null) {
+      endListeners.remove(listener);
     }
   }
 

@@ -210,6 +210,19 @@ class JobLifeTest {
   }
 
   @Test
+  void whoeverNoLongerWaitsForTheEndIsForgotten() {
+    Job job = loop.start(self -> loop.say("job"));
+    Runnable impatient = () -> loop.say("never");
+    job.forgetOnEnd(impatient);
+    job.onEnd(() -> loop.say("one"));
+    job.onEnd(impatient);
+    job.onEnd(() -> loop.say("two"));
+    job.forgetOnEnd(impatient);
+    assertEquals(List.of("job", "one", "two"), loop.run());
+    job.forgetOnEnd(impatient);
+  }
+
+  @Test
   void whatNobodyCatchesIsReportedWithTheJob() {
     RuntimeException failure = new IllegalStateException("mine");
     RuntimeException later = new IllegalStateException("listener");

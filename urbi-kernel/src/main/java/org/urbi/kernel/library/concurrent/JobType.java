@@ -121,14 +121,20 @@ public final class JobType {
       return;
     }
     boolean[] over = {false};
-    self.job()
-        .onEnd(() -> {
+    Runnable end =
+        () -> {
           over[0] = true;
           waiting.wake();
-        });
-    while (!over[0]) {
-      WaitingCall.note(frame, site);
-      waiting.waitForWake(Wait.JOBS);
+        };
+    self.job().onEnd(end);
+    try {
+      while (!over[0]) {
+        WaitingCall.note(frame, site);
+        waiting.waitForWake(Wait.JOBS);
+      }
+    } finally {
+      // Stopped before: a job that never ends would keep all that have ever waited for it.
+      self.job().forgetOnEnd(end);
     }
   }
 
