@@ -24,8 +24,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.security.KeyStore;
-import java.security.cert.CertificateFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -33,9 +31,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLSocket;
-import javax.net.ssl.TrustManagerFactory;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -135,27 +131,6 @@ class TlsTest {
     return socket;
   }
 
-  private static SSLSocket secure(Socket plain) throws Exception {
-    KeyStore store = KeyStore.getInstance(KeyStore.getDefaultType());
-    store.load(null, null);
-    try (var in = Files.newInputStream(own.certificate())) {
-      store.setCertificateEntry(
-          "own", CertificateFactory.getInstance("X.509").generateCertificate(in));
-    }
-    TrustManagerFactory trust =
-        TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
-    trust.init(store);
-    SSLContext context = SSLContext.getInstance("TLS");
-    context.init(null, trust.getTrustManagers(), null);
-    SSLSocket tls =
-        (SSLSocket)
-            context
-                .getSocketFactory()
-                .createSocket(plain, "localhost", plain.getPort(), /* autoClose= */ true);
-    tls.startHandshake();
-    return tls;
-  }
-
   private static void send(Socket socket, String text) throws IOException {
     socket.getOutputStream().write(text.getBytes(StandardCharsets.ISO_8859_1));
   }
@@ -187,7 +162,7 @@ class TlsTest {
 
   @Test
   void aClientThatEndsItsStreamStillGetsItsAnswers() throws Exception {
-    try (SSLSocket client = secure(socket())) {
+    try (SSLSocket client = own.secure(socket())) {
       send(client, "for (300) {}; 6*7;");
       client.shutdownOutput();
       assertEquals(List.of("42"), lines(client));
@@ -197,7 +172,7 @@ class TlsTest {
 
   @Test
   void whatWasSentBeforeTheGoodbyeArrives() throws Exception {
-    try (SSLSocket client = secure(socket())) {
+    try (SSLSocket client = own.secure(socket())) {
       send(client, "\"x\" * 300000; 1; quit;");
       List<String> lines = lines(client);
       assertEquals(300_002, lines.getFirst().length());
@@ -287,7 +262,7 @@ class TlsTest {
   @Test
   void garbageAfterTheHandshakeEndsTheConnectionAlone() throws Exception {
     try (Socket plain = socket()) {
-      SSLSocket client = secure(plain);
+      SSLSocket client = own.secure(plain);
       send(client, "1;");
       plain
           .getOutputStream()
@@ -324,7 +299,7 @@ class TlsTest {
       for (int i = 0; i < 40; i++) {
         all.add(
             flood.submit(() -> {
-              try (SSLSocket client = secure(socket())) {
+              try (SSLSocket client = own.secure(socket())) {
                 return client.isConnected();
               }
             }));
@@ -362,7 +337,7 @@ class TlsTest {
   @Test
   void anEndWithoutAWordOfTlsIsALoss() throws Exception {
     try (Socket plain = socket()) {
-      SSLSocket client = secure(plain);
+      SSLSocket client = own.secure(plain);
       send(client, "echo(1);loop {};");
       int first = client.getInputStream().read();
       assertEquals('[', first);
@@ -377,7 +352,7 @@ class TlsTest {
   void whoDoesNotReadIsLetGo() throws Exception {
     try (USyncClient judge = client()) {
       int others = judge.syncEval("lobbies.size").intValue();
-      try (SSLSocket deaf = secure(socket())) {
+      try (SSLSocket deaf = own.secure(socket())) {
         send(deaf, "var Global.deaf = 1|; loop { lobby.send(\"x\" * 100000)|; sleep(1ms) },");
         await(judge, "Global.hasSlot(\"deaf\")");
         await(judge, "lobbies.size == " + others);
