@@ -21,7 +21,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -57,7 +56,6 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private final Supplier<ChannelHandler> viewer;
   private final @Nullable Guests guests;
   private final @Nullable Entrance entrance;
-  private final BooleanSupplier crowded;
 
   /**
    * @param shelf has the files
@@ -66,7 +64,6 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
    * @param viewer makes what handles the stream of a browser
    * @param guests who else may come, or {@code null}
    * @param entrance to the annexes of the page, or {@code null}
-   * @param crowded whether there are so many streams that there may be no other one
    */
   PageFiles(
       Page page,
@@ -75,8 +72,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       boolean tls,
       Supplier<ChannelHandler> viewer,
       @Nullable Guests guests,
-      @Nullable Entrance entrance,
-      BooleanSupplier crowded) {
+      @Nullable Entrance entrance) {
     this.page = page;
     this.shelf = shelf;
     this.local = local;
@@ -84,7 +80,6 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     this.viewer = viewer;
     this.guests = guests;
     this.entrance = entrance;
-    this.crowded = crowded;
   }
 
   @Override
@@ -170,9 +165,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
         && guests.speak(headers.get(HttpHeaderNames.SEC_WEBSOCKET_PROTOCOL, ""));
   }
 
-  /**
-   * If there is room: neither this nor the rest of HTTP is there for long: the stream replaces it.
-   */
+  /** Neither this nor the rest of HTTP is there for long: the stream replaces it. */
   private void become(
       ChannelHandlerContext context,
       FullHttpRequest request,
@@ -180,10 +173,6 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       @Nullable String subprotocols,
       int longestMessage,
       ChannelHandler handler) {
-    if (crowded.getAsBoolean()) {
-      answer(context, request, HttpResponseStatus.SERVICE_UNAVAILABLE);
-      return;
-    }
     PagePort.serveStream(context.pipeline(), path, subprotocols, longestMessage, handler);
     context.fireChannelRead(request.retain());
     context.pipeline().remove(this);

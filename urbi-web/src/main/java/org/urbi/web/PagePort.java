@@ -1,9 +1,11 @@
 package org.urbi.web;
 
 import io.netty.bootstrap.ServerBootstrap;
+import io.netty.buffer.Unpooled;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelHandler;
+import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.ChannelPipeline;
@@ -13,40 +15,34 @@ import io.netty.channel.group.ChannelGroup;
 import io.netty.channel.group.DefaultChannelGroup;
 import io.netty.channel.socket.SocketChannel;
 import io.netty.channel.socket.nio.NioServerSocketChannel;
+import io.netty.handler.codec.http.DefaultFullHttpResponse;
+import io.netty.handler.codec.http.FullHttpResponse;
+import io.netty.handler.codec.http.HttpMessage;
 import io.netty.handler.codec.http.HttpObjectAggregator;
+import io.netty.handler.codec.http.HttpResponseStatus;
 import io.netty.handler.codec.http.HttpServerCodec;
+import io.netty.handler.codec.http.HttpUtil;
+import io.netty.handler.codec.http.HttpVersion;
 import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
-import io.netty.handler.codec.http.websocketx.WebSocketFrameAggregator;
-import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolConfig;
 import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler;
 import io.netty.handler.ssl.SslContext;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.LinkedHashSet;
-import java.util.Set;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Where browsers get a page and its stream, with one thread for all of them. */
 public final class PagePort implements AutoCloseable {
-  /** How many streams there may be, and as many connections besides that have become none yet. */
-  private static final int MOST = 64;
-
   private static final int MAX_REQUEST = 1 << 13;
-  private static final int HANDSHAKE_MILLISECONDS = 5000;
   private static final int CLOSE_SECONDS = 2;
 
   private final EventLoopGroup thread;
   private final ChannelGroup connections;
 
-  /** All of them in the order in which they came; for the thread that serves them. */
-  private final Set<Channel> callers = new LinkedHashSet<>();
-
+  private final Places places = new Places();
   private final PageShelf shelf = new PageShelf();
   private @Nullable Channel listening;
   private String scheme = "http";
@@ -60,6 +56,11 @@ public final class PagePort implements AutoCloseable {
   public PagePort(String name) {
     thread = NetworkLoop.group(name, StreamFailure::log);
     connections = new DefaultChannelGroup(thread.next());
+  }
+
+  /** Who looks, and who waits for that; for the thread that serves all browsers. */
+  public Places places() {
+    return places;
   }
 
   /** The thread that serves all browsers. */
@@ -99,25 +100,15 @@ public final class PagePort implements AutoCloseable {
                 new ChannelInitializer<SocketChannel>() {
                   @Override
                   protected void initChannel(SocketChannel channel) {
-                    makeRoom();
+                    places.arrive(channel);
                     connections.add(channel);
-                    callers.add(channel);
-                    channel.closeFuture().addListener(closed -> callers.remove(channel));
                     if (tls != null) {
                       channel.pipeline().addLast(tls.newHandler(channel.alloc()));
                     }
                     serve(
                         channel,
                         page,
-                        new PageFiles(
-                            page,
-                            shelf,
-                            local,
-                            tls != null,
-                            viewer,
-                            guests,
-                            entrance,
-                            () -> connections(PagePort::isStream).count() >= MOST));
+                        new PageFiles(page, shelf, local, tls != null, viewer, guests, entrance));
                   }
                 })
             .bind(address)
@@ -129,30 +120,37 @@ public final class PagePort implements AutoCloseable {
     listening = opened.channel();
   }
 
-  private Stream<Channel> connections(Predicate<Channel> which) {
-    return callers.stream().filter(which);
-  }
-
-  /**
-   * When all places are taken, the connection that has waited longest without a stream is closed
-   * for the next one: otherwise a few that send half a request would lock out everybody else.
-   */
-  private void makeRoom() {
-    Predicate<Channel> waits = channel -> !isStream(channel);
-    if (connections(waits).count() >= MOST) {
-      connections(waits).findFirst().ifPresent(Channel::close);
-    }
-  }
-
   /** Makes requests of the bytes of a connection, and hands them on. */
   static void serve(Channel channel, Page page, PageFiles files) {
     channel
         .pipeline()
         .addLast(
             new HttpServerCodec(),
-            new HttpObjectAggregator(MAX_REQUEST),
+            new Requests(),
             new Silence(page.silence()),
             files);
+  }
+
+  /**
+   * Makes one request of its parts. Whoever sends a longer one is told so, and not listened to until
+   * all of it has come.
+   */
+  private static final class Requests extends HttpObjectAggregator {
+    Requests() {
+      super(MAX_REQUEST, true);
+    }
+
+    @Override
+    protected void handleOversizedMessage(ChannelHandlerContext context, HttpMessage oversized) {
+      FullHttpResponse answer =
+          new DefaultFullHttpResponse(
+              HttpVersion.HTTP_1_1,
+              HttpResponseStatus.REQUEST_ENTITY_TOO_LARGE,
+              Unpooled.EMPTY_BUFFER);
+      HttpUtil.setContentLength(answer, 0);
+      HttpUtil.setKeepAlive(answer, false);
+      Farewell.say(context.channel(), answer);
+    }
   }
 
   /** Makes frames of what comes from now on, instead of requests. */
@@ -162,20 +160,9 @@ public final class PagePort implements AutoCloseable {
       @Nullable String subprotocols,
       int longestMessage,
       ChannelHandler viewer) {
-    WebSocketServerProtocolConfig stream =
-        WebSocketServerProtocolConfig.newBuilder()
-            .websocketPath(path)
-            .checkStartsWith(true)
-            .subprotocols(subprotocols)
-            .maxFramePayloadLength(longestMessage)
-            .handshakeTimeoutMillis(HANDSHAKE_MILLISECONDS)
-            .forceCloseTimeoutMillis(CLOSE_SECONDS * 1000L)
-            .dropPongFrames(false)
-            .build();
-    // Browsers may send a long message in several frames.
     pipeline.addLast(
-        new WebSocketServerProtocolHandler(stream),
-        new WebSocketFrameAggregator(longestMessage),
+        new StreamProtocol(path, subprotocols, longestMessage),
+        new StreamProtocol.Messages(longestMessage),
         viewer);
   }
 

@@ -18,13 +18,20 @@ public final class StreamFailure {
 
   /**
    * Closes the connection; the others are not concerned. Connections break, also within a message,
-   * and peers send what is malformed or too long: that is nothing to tell. Anything else is a
-   * defect of ours: it goes to the log of the process with its stack, and the other end is told
-   * "internal error".
+   * and peers send what is malformed: that is nothing to tell. Whoever has sent too much at once is
+   * told how much it may be. Anything else is a defect of ours: it goes to the log of the process
+   * with its stack, and the other end is told "internal error".
    *
    * @param doing what failed, for the log
    */
   public static void close(ChannelHandlerContext context, Throwable cause, String doing) {
+    if (cause instanceof TooLongMessage) {
+      Farewell.say(
+          context.channel(),
+          new CloseWebSocketFrame(
+              WebSocketCloseStatus.MESSAGE_TOO_BIG, String.valueOf(cause.getMessage())));
+      return;
+    }
     if (isOfTheOtherEnd(cause)) {
       context.close();
       return;

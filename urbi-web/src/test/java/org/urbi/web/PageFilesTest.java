@@ -32,7 +32,7 @@ class PageFilesTest {
   private Answer ask(boolean local, HttpMethod method, String file, String... headers) {
     PageFiles files =
         new PageFiles(
-            PAGE, shelf, local, false, ChannelInboundHandlerAdapter::new, null, null, () -> false);
+            PAGE, shelf, local, false, ChannelInboundHandlerAdapter::new, null, null);
     EmbeddedChannel channel = new EmbeddedChannel(files);
     DefaultFullHttpRequest request =
         new DefaultFullHttpRequest(HttpVersion.HTTP_1_1, method, "/" + file);

@@ -40,8 +40,7 @@ class SilenceTest {
             false,
             ChannelInboundHandlerAdapter::new,
             null,
-            null,
-            () -> false));
+            null));
   }
 
   @AfterEach

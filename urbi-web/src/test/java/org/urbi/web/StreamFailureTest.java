@@ -79,6 +79,17 @@ class StreamFailureTest {
   }
 
   @Test
+  void whoeverSendsTooMuchIsToldHowMuchItMayBe() {
+    EmbeddedChannel channel = failed(new TooLongMessage(1000));
+    CloseWebSocketFrame last = channel.readOutbound();
+    assertEquals(1009, last.statusCode());
+    assertEquals("a message may have 1000 bytes, not more", last.reasonText());
+    last.release();
+    assertEquals(List.of(), logged);
+    channel.finishAndReleaseAll();
+  }
+
+  @Test
   void defectIsLoggedWithItsStackAndToldToTheOtherEnd() {
     for (Throwable cause :
         List.of(new IllegalStateException("of ours"), new NoClassDefFoundError("of ours"))) {

@@ -1,13 +1,17 @@
 package org.urbi.sim.page;
 
+import io.netty.channel.Channel;
+import io.netty.channel.ChannelHandler;
 import io.netty.channel.WriteBufferWaterMark;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetSocketAddress;
 import org.urbi.sim.SimulationException;
 import org.urbi.web.Annex;
+import org.urbi.web.Gate;
 import org.urbi.web.Page;
 import org.urbi.web.PagePort;
+import org.urbi.web.Refused;
 
 /**
  * Serves the page of a world and its stream of snapshots, with one thread for all browsers. A slow
@@ -49,12 +53,22 @@ public final class PageServer implements AutoCloseable {
             ? ""
             : "This page also serves other machines: it can only be looked at.";
     try {
-      served.listen(
-          address, null, PAGE, () -> new ViewerHandler(viewers, orders, refusal), null, null);
+      served.listen(address, null, PAGE, () -> gate(refusal), null, null);
     } catch (IOException e) {
       throw new SimulationException(whyNot(host, port, e), e);
     }
     viewers.start();
+  }
+
+  /** Lets in whoever finds a place. */
+  private Gate gate(String refusal) {
+    return new Gate(ViewerHandler.WHERE) {
+      @Override
+      protected ChannelHandler admit(Channel channel, String uri) throws Refused {
+        served.places().take(channel, refusal.isEmpty());
+        return new ViewerHandler(viewers, orders, refusal);
+      }
+    };
   }
 
   /**

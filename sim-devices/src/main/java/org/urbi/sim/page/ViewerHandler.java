@@ -11,10 +11,14 @@ import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler.Han
 import io.netty.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.urbi.web.Farewell;
 import org.urbi.web.StreamFailure;
 
 /** One WebSocket connection. After the handshake it becomes a viewer, who may give orders. */
 final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
+  /** What it is, for the log. */
+  static final String WHERE = "the page of a simulated world";
+
   /** How many orders may come in each second. */
   private static final int MOST_ORDERS = 60;
 
@@ -70,15 +74,12 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
     }
   }
 
-  /**
-   * Says goodbye, and passes over what comes until that is answered: to close at once would take
-   * back what has just been sent.
-   */
   private void refuse(ChannelHandlerContext context) {
     halt(context);
     String reason = "Too many orders: at most " + MOST_ORDERS + " in a second.";
     context.write(Viewers.refusal(reason));
-    context.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.POLICY_VIOLATION));
+    Farewell.say(
+        context.channel(), new CloseWebSocketFrame(WebSocketCloseStatus.POLICY_VIOLATION, reason));
   }
 
   /** A robot whose driver goes stops. */
@@ -106,6 +107,6 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    StreamFailure.close(context, cause, "the page of a simulated world");
+    StreamFailure.close(context, cause, WHERE);
   }
 }

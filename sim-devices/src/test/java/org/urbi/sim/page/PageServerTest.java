@@ -329,6 +329,32 @@ class PageServerTest {
     assertTrue(((String) watch().next()).contains("setting"), "it may come again");
   }
 
+  /** What comes over a new stream, until the server closes it. */
+  private String streamed(String said) throws IOException {
+    try (Socket socket = new Socket(InetAddress.getByName(LOCAL), server.port())) {
+      socket.getOutputStream().write(UPGRADE.getBytes(StandardCharsets.US_ASCII));
+      assertEquals(
+          'H', socket.getInputStream().read(), "the answer, before which nothing is heard");
+      socket.getOutputStream().write(said.getBytes(StandardCharsets.ISO_8859_1));
+      return new String(socket.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1);
+    }
+  }
+
+  @Test
+  void limitsAreTold() throws Exception {
+    // The head of a text of 65,535 bytes.
+    String told = streamed("\u0081\u00fe\u00ff\u00ff");
+    assertTrue(told.endsWith("\u0003\u00f1a message may have 1024 bytes, not more"), told);
+    await("that it has left", () -> server.viewers() == 0);
+    for (int i = 0; i < 64; i++) {
+      watch();
+    }
+    told = streamed("");
+    String full = "64 look already: there is no place for another one";
+    assertTrue(told.endsWith("\u0003\u00f5" + full), told);
+    assertEquals(64, server.viewers());
+  }
+
   @Test
   void pagesForOtherMachinesCanOnlyBeLookedAt() throws Exception {
     server.close();

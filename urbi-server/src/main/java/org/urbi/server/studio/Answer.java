@@ -60,12 +60,23 @@ final class Answer {
     return object("recording", out -> out.writeStringField("file", file));
   }
 
-  /**
-   * Some text for people: an {@code error}, the reason for which it was {@code refused}, {@code
-   * output}.
-   */
+  /** Some text for people: an {@code error}, or {@code output}. */
   static String text(String type, String text) {
     return object(type, out -> out.writeStringField("text", text));
+  }
+
+  /**
+   * The reason for which it is not let in, or not any more.
+   *
+   * @param again after how many seconds it may be worth to come again; 0 if it is of no use
+   */
+  static String refused(String reason, int again) {
+    return object(
+        "refused",
+        out -> {
+          out.writeStringField("text", reason);
+          out.writeNumberField("again", again);
+        });
   }
 
   /** What became of a request: an error, or nothing when all went well. */

@@ -59,7 +59,7 @@ public final class StudioServer implements AutoCloseable {
     SslContext tls =
         accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
     port = new PagePort("urbi-studio");
-    Admission admission = new Admission(accessPolicy, trace);
+    Admission admission = new Admission(accessPolicy, trace, port.places());
     Guests programs =
         new Guests(
             ProgramHandler.SUBPROTOCOLS,

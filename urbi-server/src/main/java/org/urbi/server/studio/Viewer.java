@@ -100,8 +100,8 @@ final class Viewer extends StreamHandler {
   }
 
   @Override
-  protected WebSocketFrame refusal(String reason) {
-    return new TextWebSocketFrame(Answer.text("refused", reason));
+  protected WebSocketFrame refusal(String reason, int again) {
+    return new TextWebSocketFrame(Answer.refused(reason, again));
   }
 
   // ------------------------------------------------------------------ what it is told

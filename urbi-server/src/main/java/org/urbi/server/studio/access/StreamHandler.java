@@ -12,7 +12,10 @@ import io.netty.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
+import org.urbi.web.Farewell;
+import org.urbi.web.Refused;
 import org.urbi.web.StreamFailure;
+import org.urbi.web.TooLongMessage;
 
 /** The stream of somebody who must be let in, and may not ask for too much at a time. */
 public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
@@ -46,15 +49,19 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
   /** One that has been let in has gone. */
   protected abstract void left();
 
-  /** What tells it why it is refused. */
-  protected abstract WebSocketFrame refusal(String reason);
+  /**
+   * What tells it why it is refused.
+   *
+   * @param again after how many seconds it may be worth to come again; 0 if it is of no use
+   */
+  protected abstract WebSocketFrame refusal(String reason, int again);
 
   @Override
   public final void userEventTriggered(ChannelHandlerContext context, Object event) {
     if (event instanceof HandshakeComplete done) {
       Channel channel = context.channel();
       try {
-        Role role = admission.admit(done.requestUri(), channel.remoteAddress());
+        Role role = admission.admit(done.requestUri(), channel);
         admitted = true;
         pause =
             channel
@@ -63,19 +70,21 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
                     () -> requests = Math.max(0, requests - mostRequests), 1, 1, TimeUnit.SECONDS);
         admitted(channel, role, done.requestUri());
       } catch (Refused e) {
-        refuse(channel, String.valueOf(e.getMessage()));
+        WebSocketCloseStatus status =
+            e.again() == 0
+                ? WebSocketCloseStatus.POLICY_VIOLATION
+                : WebSocketCloseStatus.TRY_AGAIN_LATER;
+        refuse(channel, status, String.valueOf(e.getMessage()), e.again());
       }
     }
   }
 
-  /**
-   * Says goodbye, and passes over what comes until that is answered: to close at once would take
-   * back what has just been sent if more has come in.
-   */
-  private void refuse(Channel channel, String reason) {
-    refused = true;
-    channel.write(refusal(reason));
-    channel.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.POLICY_VIOLATION));
+  private void refuse(Channel channel, WebSocketCloseStatus status, String reason, int again) {
+    if (!refused) {
+      refused = true;
+      channel.write(refusal(reason, again));
+      Farewell.say(channel, new CloseWebSocketFrame(status, reason));
+    }
   }
 
   @Override
@@ -84,7 +93,8 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
       return;
     }
     if (++requests > mostRequests * 2) {
-      refuse(context.channel(), "too many requests: at most " + mostRequests + " in a second");
+      String reason = "too many requests: at most " + mostRequests + " in a second";
+      refuse(context.channel(), WebSocketCloseStatus.POLICY_VIOLATION, reason, 0);
     } else {
       received(context.channel(), frame);
     }
@@ -102,7 +112,12 @@ public abstract class StreamHandler extends SimpleChannelInboundHandler<WebSocke
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    end(context, cause);
+    if (cause instanceof TooLongMessage) {
+      String reason = String.valueOf(cause.getMessage());
+      refuse(context.channel(), WebSocketCloseStatus.MESSAGE_TOO_BIG, reason, 0);
+    } else {
+      end(context, cause);
+    }
   }
 
   static void end(ChannelHandlerContext context, Throwable cause) {

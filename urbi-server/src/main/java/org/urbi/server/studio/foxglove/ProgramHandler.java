@@ -6,6 +6,7 @@ import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelOutboundBuffer;
 import io.netty.handler.codec.http.QueryStringDecoder;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
@@ -144,7 +145,7 @@ public final class ProgramHandler extends StreamHandler {
   }
 
   @Override
-  protected WebSocketFrame refusal(String reason) {
+  protected WebSocketFrame refusal(String reason, int again) {
     return Answer.status(Answer.Level.ERROR, reason);
   }
 
@@ -152,8 +153,8 @@ public final class ProgramHandler extends StreamHandler {
 
   private static void send(Channel channel, WebSocketFrame frame) {
     channel.writeAndFlush(frame);
-    if (channel.isActive()
-        && channel.unsafe().outboundBuffer().totalPendingWriteBytes() > MOST_UNREAD) {
+    ChannelOutboundBuffer unread = channel.unsafe().outboundBuffer();
+    if (unread != null && unread.totalPendingWriteBytes() > MOST_UNREAD) {
       // Whoever never reads, and is told of ever more channels.
       channel.close();
     }
