@@ -113,6 +113,10 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
 
   private void shown(ChannelHandlerContext context, String token, int length) {
     String address = address(context);
+    if (wrong.isKnown(address, token)) {
+      refuse(context, "wrong token");
+      return;
+    }
     long wait = wrong.secondsToWait(address);
     if (wait > 0) {
       refuse(context, "after a wrong token, no other one for " + wait + " s");
@@ -120,7 +124,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     }
     Tokens.TokenHolder holder = accessPolicy.holder(token);
     if (holder == null) {
-      wrong.recordFailure(address);
+      wrong.recordFailure(address, token);
       trace.log("wrong token: " + context.channel().remoteAddress());
       refuse(context, "wrong token");
       return;

@@ -109,6 +109,11 @@ public final class Tokens {
     return hash;
   }
 
+  /** The SHA-256 of a token, in hexadecimal digits. */
+  static String digest(String token) {
+    return HexFormat.of().formatHex(hash(token));
+  }
+
   private static byte[] hash(String token) {
     try {
       return MessageDigest.getInstance("SHA-256").digest(token.getBytes(StandardCharsets.UTF_8));

@@ -81,20 +81,36 @@ class TokensTest {
     assertEquals(0, wrong.secondsToWait("a"));
     long expected = 1;
     for (int i = 0; i < 10; i++) {
-      wrong.recordFailure("a");
+      wrong.recordFailure("a", "token " + i);
       assertEquals(expected, wrong.secondsToWait("a"));
       assertEquals(0, wrong.secondsToWait("b"));
       clock.advanceTo(clock.now() + expected * 1_000_000_000L);
       assertEquals(0, wrong.secondsToWait("a"));
       expected = Math.min(expected * 2, 64);
     }
-    wrong.recordFailure("a");
+    wrong.recordFailure("a", "last");
     wrong.recordSuccess("a");
     assertEquals(0, wrong.secondsToWait("a"));
+    wrong.recordFailure("a", "one more");
+    assertEquals(1, wrong.secondsToWait("a"));
     for (int i = 0; i < 100_000; i++) {
-      wrong.recordFailure("address " + i);
+      wrong.recordFailure("address " + i, "token");
     }
     assertTrue(wrong.secondsToWait("address 99999") > 0);
+  }
+
+  @Test
+  void fewWrongTokensAreRemembered() {
+    TokenThrottle wrong = new TokenThrottle(new VirtualClock());
+    for (int i = 0; i < 100; i++) {
+      wrong.recordFailure("a", "token " + i);
+    }
+    assertTrue(wrong.isKnown("a", "token 99"));
+    assertTrue(wrong.isKnown("a", "token 96"));
+    assertFalse(wrong.isKnown("a", "token 95"));
+    assertFalse(wrong.isKnown("b", "token 99"));
+    wrong.recordSuccess("a");
+    assertTrue(wrong.isKnown("a", "token 99"), "it has not become right");
   }
 
   @Test

@@ -5,6 +5,7 @@ import io.netty.handler.codec.http.QueryStringDecoder;
 import java.net.InetSocketAddress;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
@@ -16,18 +17,25 @@ import org.urbi.web.Refused;
 
 /** Decides who is let in, and as what, by the token in the address that he asks for. */
 public final class Admission {
+  private static final String WRONG = "wrong token";
+
   private final AccessPolicy accessPolicy;
   private final Trace trace;
   private final Places places;
-  private final TokenThrottle wrong = new TokenThrottle(new SystemClock());
+  private final TokenThrottle wrong;
 
   /**
    * @param places of those who are let in
    */
   public Admission(AccessPolicy accessPolicy, Trace trace, Places places) {
+    this(accessPolicy, trace, places, new SystemClock());
+  }
+
+  Admission(AccessPolicy accessPolicy, Trace trace, Places places, Clock clock) {
     this.accessPolicy = accessPolicy;
     this.trace = trace;
     this.places = places;
+    wrong = new TokenThrottle(clock);
   }
 
   /**
@@ -50,15 +58,19 @@ public final class Admission {
     }
     InetSocketAddress from = (InetSocketAddress) channel.remoteAddress();
     String address = from.getAddress().getHostAddress();
+    String token = tokens.getFirst();
+    if (wrong.isKnown(address, token)) {
+      throw new Refused(WRONG, 0);
+    }
     long wait = wrong.secondsToWait(address);
     if (wait > 0) {
       throw new Refused("after a wrong token, no other one for " + wait + " s", (int) wait);
     }
-    Tokens.TokenHolder holder = accessPolicy.holder(tokens.getFirst());
+    Tokens.TokenHolder holder = accessPolicy.holder(token);
     if (holder == null) {
-      wrong.recordFailure(address);
+      wrong.recordFailure(address, token);
       trace.log("studio: wrong token: " + from);
-      throw new Refused("wrong token", 0);
+      throw new Refused(WRONG, 0);
     }
     wrong.recordSuccess(address);
     return holder.role();
