@@ -28,15 +28,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Serves the files of a page, which hold no secret, and passes on requests for the stream. Pages of
- * other sites in the same browser get neither: a request must come from this page, and on this
- * machine name it.
+ * other sites in the same browser get neither: a request must come from this page, and name it.
  */
 final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   /** The path of the stream. */
   static final String STREAM = "/stream";
-
-  private static final Pattern THIS_MACHINE =
-      Pattern.compile("(localhost|127(\\.\\d+){3}|\\[::1\\])(:\\d+)?", Pattern.CASE_INSENSITIVE);
 
   /** By the end of its name, what a file is. */
   private static final Map<String, String> TYPES =
@@ -51,7 +47,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
 
   private final Page page;
   private final PageShelf shelf;
-  private final boolean local;
+  private final HostNames names;
   private final String scheme;
   private final Supplier<ChannelHandler> viewer;
   private final @Nullable Guests guests;
@@ -59,7 +55,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
 
   /**
    * @param shelf has the files
-   * @param local whether it is for this machine only
+   * @param names by which it may be asked for
    * @param tls whether it is served by TLS
    * @param viewer makes what handles the stream of a browser
    * @param guests who else may come, or {@code null}
@@ -68,14 +64,14 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   PageFiles(
       Page page,
       PageShelf shelf,
-      boolean local,
+      HostNames names,
       boolean tls,
       Supplier<ChannelHandler> viewer,
       @Nullable Guests guests,
       @Nullable Entrance entrance) {
     this.page = page;
     this.shelf = shelf;
-    this.local = local;
+    this.names = names;
     this.scheme = tls ? "https://" : "http://";
     this.viewer = viewer;
     this.guests = guests;
@@ -90,13 +86,13 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       answer(context, request, HttpResponseStatus.BAD_REQUEST);
     } else if (guests != null && isGuest(guests, request.headers())) {
       if (isForUs(request.headers(), guests.origins())) {
-        String names = String.join(",", guests.subprotocols());
-        become(context, request, "/", names, guests.longestMessage(), guests.handler().get());
+        String spoken = String.join(",", guests.subprotocols());
+        become(context, request, "/", spoken, guests.longestMessage(), guests.handler().get());
       } else {
-        answer(context, request, HttpResponseStatus.FORBIDDEN);
+        refuse(context, request);
       }
     } else if (!isForUs(request.headers(), Set.of())) {
-      answer(context, request, HttpResponseStatus.FORBIDDEN);
+      refuse(context, request);
     } else if (path.equals(STREAM)) {
       become(context, request, STREAM, null, page.longestMessage(), viewer.get());
     } else {
@@ -127,7 +123,8 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     } else {
       // Within this machine, what is sent costs less than what is packed and unpacked.
       boolean packed =
-          !local && request.headers().containsValue(HttpHeaderNames.ACCEPT_ENCODING, "gzip", true);
+          !names.local()
+              && request.headers().containsValue(HttpHeaderNames.ACCEPT_ENCODING, "gzip", true);
       PageShelf.Served served = shelf.find(from.home(), file, packed);
       if (served == null) {
         answer(context, request, HttpResponseStatus.NOT_FOUND);
@@ -181,13 +178,28 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private boolean isForUs(HttpHeaders headers, Set<String> others) {
     String host = headers.get(HttpHeaderNames.HOST, "");
     String origin = headers.get(HttpHeaderNames.ORIGIN);
-    return (!local || THIS_MACHINE.matcher(host).matches())
+    return names.allow(host)
         && (origin == null || origin.equalsIgnoreCase(scheme + host) || others.contains(origin));
+  }
+
+  /** Whoever has typed another name of the machine is told what to type. */
+  private void refuse(ChannelHandlerContext context, FullHttpRequest request) {
+    boolean named = names.allow(request.headers().get(HttpHeaderNames.HOST, ""));
+    String hint = named ? "" : ": this page is not known by that name, use the address";
+    answer(context, request, HttpResponseStatus.FORBIDDEN, hint);
   }
 
   private static void answer(
       ChannelHandlerContext context, FullHttpRequest request, HttpResponseStatus status) {
-    byte[] text = (status + "\n").getBytes(StandardCharsets.US_ASCII);
+    answer(context, request, status, "");
+  }
+
+  private static void answer(
+      ChannelHandlerContext context,
+      FullHttpRequest request,
+      HttpResponseStatus status,
+      String hint) {
+    byte[] text = (status + hint + "\n").getBytes(StandardCharsets.US_ASCII);
     send(
         context,
         request,

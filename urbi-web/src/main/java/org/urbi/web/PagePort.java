@@ -42,6 +42,7 @@ public final class PagePort implements AutoCloseable {
   private final EventLoopGroup thread;
   private final ChannelGroup connections;
 
+  private final boolean open;
   private final Places places = new Places();
   private final PageShelf shelf = new PageShelf();
   private @Nullable Channel listening;
@@ -52,8 +53,10 @@ public final class PagePort implements AutoCloseable {
    * Serves nobody before {@link #listen}.
    *
    * @param name of its thread
+   * @param open whether somebody is let in without a token
    */
-  public PagePort(String name) {
+  public PagePort(String name, boolean open) {
+    this.open = open;
     thread = NetworkLoop.group(name, StreamFailure::log);
     connections = new DefaultChannelGroup(thread.next());
   }
@@ -88,7 +91,7 @@ public final class PagePort implements AutoCloseable {
       throws IOException {
     scheme = tls == null ? "http" : "https";
     host = address.getHostString();
-    boolean local = address.getAddress().isLoopbackAddress();
+    HostNames names = new HostNames(address.getAddress().isLoopbackAddress(), host, open);
     ChannelFuture opened =
         new ServerBootstrap()
             .group(thread)
@@ -108,7 +111,7 @@ public final class PagePort implements AutoCloseable {
                     serve(
                         channel,
                         page,
-                        new PageFiles(page, shelf, local, tls != null, viewer, guests, entrance));
+                        new PageFiles(page, shelf, names, tls != null, viewer, guests, entrance));
                   }
                 })
             .bind(address)
@@ -124,16 +127,12 @@ public final class PagePort implements AutoCloseable {
   static void serve(Channel channel, Page page, PageFiles files) {
     channel
         .pipeline()
-        .addLast(
-            new HttpServerCodec(),
-            new Requests(),
-            new Silence(page.silence()),
-            files);
+        .addLast(new HttpServerCodec(), new Requests(), new Silence(page.silence()), files);
   }
 
   /**
-   * Makes one request of its parts. Whoever sends a longer one is told so, and not listened to until
-   * all of it has come.
+   * Makes one request of its parts. Whoever sends a longer one is told so, and not listened to
+   * until all of it has come.
    */
   private static final class Requests extends HttpObjectAggregator {
     Requests() {

@@ -34,10 +34,18 @@ class FarewellTest {
   @BeforeEach
   void serve() {
     channel.freezeTime();
-    Page page =
-        new Page(FarewellTest.class, LONGEST, 10, new WriteBufferWaterMark(100, LONGEST));
+    Page page = new Page(FarewellTest.class, LONGEST, 10, new WriteBufferWaterMark(100, LONGEST));
     PagePort.serve(
-        channel, page, new PageFiles(page, new PageShelf(), true, false, this::viewer, null, null));
+        channel,
+        page,
+        new PageFiles(
+            page,
+            new PageShelf(),
+            new HostNames(true, "localhost", true),
+            false,
+            this::viewer,
+            null,
+            null));
   }
 
   @AfterEach

@@ -16,6 +16,7 @@ import io.netty.handler.codec.http.HttpVersion;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +33,13 @@ class PageFilesTest {
   private Answer ask(boolean local, HttpMethod method, String file, String... headers) {
     PageFiles files =
         new PageFiles(
-            PAGE, shelf, local, false, ChannelInboundHandlerAdapter::new, null, null);
+            PAGE,
+            shelf,
+            new HostNames(local, "localhost", true),
+            false,
+            ChannelInboundHandlerAdapter::new,
+            null,
+            null);
     EmbeddedChannel channel = new EmbeddedChannel(files);
     DefaultFullHttpRequest request =
         new DefaultFullHttpRequest(HttpVersion.HTTP_1_1, method, "/" + file);
@@ -71,6 +78,16 @@ class PageFilesTest {
     assertEquals(200, other.status);
     assertArrayEquals(original("short.css"), other.content);
     assertEquals(404, ask(true, HttpMethod.GET, "none.css", "if-none-match", "*").status);
+  }
+
+  /** Its own page may lead that name here, and then command. */
+  @Test
+  void nameOfAnotherSiteIsRefused() {
+    Answer refused = ask(false, HttpMethod.GET, "short.css", "host", "rebound.example");
+    assertEquals(403, refused.status);
+    String told = new String(refused.content, StandardCharsets.US_ASCII);
+    assertEquals(
+        "403 Forbidden: this page is not known by that name, use the address", told.strip());
   }
 
   @Test

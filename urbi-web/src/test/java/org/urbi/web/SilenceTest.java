@@ -36,7 +36,7 @@ class SilenceTest {
         new PageFiles(
             page,
             new PageShelf(),
-            true,
+            new HostNames(true, "localhost", true),
             false,
             ChannelInboundHandlerAdapter::new,
             null,

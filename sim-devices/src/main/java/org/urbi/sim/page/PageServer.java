@@ -45,7 +45,7 @@ public final class PageServer implements AutoCloseable {
     if (address.isUnresolved()) {
       throw new SimulationException("page: unknown host: " + host);
     }
-    served = new PagePort("page");
+    served = new PagePort("page", true);
     viewers = new Viewers(served.thread(), setting);
     this.orders = orders;
     String refusal =

@@ -58,7 +58,7 @@ public final class StudioServer implements AutoCloseable {
     this.accessPolicy = accessPolicy;
     SslContext tls =
         accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
-    port = new PagePort("urbi-studio");
+    port = new PagePort("urbi-studio", accessPolicy.defaultRole() != null);
     Admission admission = new Admission(accessPolicy, trace, port.places());
     Guests programs =
         new Guests(
