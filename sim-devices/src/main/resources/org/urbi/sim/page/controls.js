@@ -23,6 +23,7 @@ export class Controls {
     byId("pause").addEventListener("click", () => send(`pause ${this.#moment?.paused ? 0 : 1}`));
     byId("step").addEventListener("click", () => send("step 1"));
     byId("pace").addEventListener("change", ({ target }) => send(`speed ${target.value}`));
+    byId("strength").addEventListener("input", () => this.#tellStrength());
     byId("reset").addEventListener("click", () => send("reset"));
     byId("push").addEventListener("click", () => this.#push());
     byId("space").addEventListener("dblclick", () => this.#push());
@@ -35,6 +36,8 @@ export class Controls {
     this.#refusal = refusal;
     for (const control of this.#byId("controls").querySelectorAll("button, select, input")) control.disabled = Boolean(refusal);
     this.#byId("controls").title = refusal;
+    this.#byId("may").hidden = !refusal;
+    this.#byId("may").textContent = refusal;
     this.pick(this.#picked);
   }
 
@@ -76,8 +79,22 @@ export class Controls {
     const { paused, speed } = this.#moment;
     this.#byId("pause").setAttribute("aria-pressed", paused);
     this.#byId("pause").textContent = paused ? "Go on" : "Pause";
-    if (document.activeElement !== this.#byId("pace")) this.#byId("pace").value = String(speed);
+    if (document.activeElement !== this.#byId("pace")) this.#showPace(String(Number(speed.toPrecision(3))));
     this.#sayPicked();
+  }
+
+  // A program may give a world another speed than those that are offered.
+  #showPace(speed) {
+    const pace = this.#byId("pace");
+    const other = this.#byId("pace-other");
+    const offered = [...pace.options].some((option) => option !== other && option.value === speed);
+    if (!offered) other.textContent = speed;
+    other.hidden = offered;
+    pace.value = speed;
+  }
+
+  #tellStrength() {
+    this.#byId("strength-told").textContent = `${Number(this.#byId("strength").value).toFixed(1)} m/s`;
   }
 
   #push() {
@@ -138,7 +155,7 @@ export class Controls {
   }
 
   #drive() {
-    if (this.#refusal || !this.#setting?.mobile) return;
+    if (!this.#setting?.mobile) return;
     const sum = (n) => Math.max(-1, Math.min(1, [...this.#held.values()].reduce((all, way) => all + way[n], 0)));
     // Of −0 no word is to be made.
     const wanted = `${sum(0) || 0} ${sum(1) || 0}`;

@@ -1,15 +1,12 @@
-// Connects to the simulation, hands what it sends to the views, and connects again when it has lost it.
+// Hands what the simulation sends to the views, and to the simulation what people want of it.
 import { CameraView } from "./camera.js";
 import { Controls } from "./controls.js";
 import { SceneView } from "./scene.js";
 import { PlotView } from "./plots.js";
+import { Stream } from "./stream.js";
 
-const FIRST_WAIT = 500;
-const LONGEST_WAIT = 5000;
 const SPEED_SECONDS = 2;
 const REFUSAL_SECONDS = 8;
-// The status of the close when the studio lets nobody in.
-const REFUSED = 4003;
 
 const byId = (id) => document.getElementById(id);
 const views = [
@@ -21,11 +18,8 @@ const camera = views[0];
 const controls = new Controls(byId, send);
 views.push(controls);
 
-let wait = FIRST_WAIT;
 let clock = null;
 let redrawing = false;
-let connections = 0;
-let stream = null;
 let setting = null;
 let moment = null;
 let refused;
@@ -39,8 +33,9 @@ function redraw() {
   });
 }
 
-function say(state, text) {
+function say(state, text, connections) {
   byId("connection").dataset.state = state;
+  byId("connection").dataset.connections = connections;
   byId("connection").textContent = text;
 }
 
@@ -91,8 +86,7 @@ function take(message) {
 
 // Tells the simulation what somebody wants of it.
 function send(order) {
-  if (stream?.readyState === WebSocket.OPEN) stream.send(order);
-  else refuse("There is no connection to the simulation.");
+  if (!stream.send(order)) refuse("There is no connection to the simulation.");
 }
 
 function refuse(text) {
@@ -122,45 +116,23 @@ async function addSpace() {
   flat(false);
 }
 
-function connect() {
-  // As a part of the studio it has the token of the studio, and its colours.
-  const token = sessionStorage.getItem("token");
-  const address = new URL(token ? `stream?token=${encodeURIComponent(token)}` : "stream", location.href);
-  address.protocol = location.protocol.replace("http", "ws");
-  stream = new WebSocket(address);
-  stream.binaryType = "blob";
-  stream.onopen = () => {
-    wait = FIRST_WAIT;
-    byId("connection").dataset.connections = ++connections;
-    say("live", "live");
-  };
-  stream.onmessage = ({ data }) => {
-    if (typeof data === "string") take(JSON.parse(data));
-    else camera.show(data).then(redraw);
-  };
-  stream.onclose = ({ code, reason }) => {
-    if (code === REFUSED) {
-      say("lost", reason);
-      return;
-    }
-    say("lost", "connection lost, trying again…");
-    setTimeout(connect, wait);
-    wait = Math.min(2 * wait, LONGEST_WAIT);
-  };
-}
-
+// The colours that somebody has chosen in the studio; without a choice those of the system. A browser may keep nothing for pages.
 function theme() {
-  const chosen = localStorage.getItem("theme");
+  let chosen = null;
+  try {
+    chosen = localStorage.getItem("theme");
+  } catch {
+    // Then nothing is chosen.
+  }
   if (chosen) document.documentElement.dataset.theme = chosen;
+  else delete document.documentElement.dataset.theme;
   redraw();
 }
 
-// A page that browsers keep, for the case that somebody comes back to it, looks no longer.
-addEventListener("pagehide", () => stream.close());
+const stream = new Stream({ onText: take, onImage: (image) => camera.show(image).then(redraw), onState: say });
 
 addEventListener("storage", theme);
 addEventListener("resize", redraw);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
 theme();
-connect();
 addSpace().catch((error) => console.warn("There is no third dimension in this browser:", error.message));

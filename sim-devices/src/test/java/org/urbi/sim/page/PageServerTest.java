@@ -56,6 +56,7 @@ class PageServerTest {
           "",
           "page.css",
           "page.js",
+          "stream.js",
           "camera.js",
           "scene.js",
           "plots.js",

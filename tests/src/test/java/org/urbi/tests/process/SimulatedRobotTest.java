@@ -62,7 +62,7 @@ class SimulatedRobotTest {
       assertTrue(address.matches("http://localhost:\\d+/#robot"), address);
       flat.open(address);
       demonstrationIsSeen(flat, urbi);
-      robotObeysTheStudio(flat, urbi, address);
+      urbi.send("following.stop;\n");
       flat.leave();
       worldIsTouched(spatial, urbi);
       unusualWorldsAreShown(spatial, urbi, folder);
@@ -125,27 +125,6 @@ class SimulatedRobotTest {
     browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
     browser.await("the room of the jobs", "return !!" + frame, "false"::equals);
     browser.open(browser.evaluate("return document.querySelector('#robot-alone').href"));
-  }
-
-  /** A variable that is changed in the studio moves the head, which is seen there. */
-  private static void robotObeysTheStudio(Browser browser, JavaProcess urbi, String address)
-      throws Exception {
-    urbi.send("following.stop;\n");
-    browser.open(address.replace("robot", "variables"));
-    String line =
-        "[...document.querySelectorAll('.line')].find(each => each.dataset.way === 'Global\\n.pitch%s')";
-    browser.await("the motor", "return !!" + line.formatted(""), "true"::equals);
-    browser.evaluate(line.formatted("") + ".querySelector('.twisty').click()");
-    String position = line.formatted("\\n.val");
-    browser.await("its position", "return !!" + position, "true"::equals);
-    browser.evaluate(position + ".click()");
-    String slider = "document.querySelector('#slot-slider')";
-    browser.await("its limits", "return " + slider + ".max > 0.5", "true"::equals);
-    browser.evaluate(StudioPage.type("#slot-slider", "0.5"));
-    browser.await(
-        "that it is there",
-        "return " + position + ".querySelector('.value').textContent",
-        value -> Math.abs(Double.parseDouble(value) - 0.5) < 0.03);
   }
 
   private static void imagesComeAndShowTheBall(Browser browser) throws Exception {

@@ -2,9 +2,15 @@
 import { Stream } from "./stream.js";
 import { Jobs } from "./jobs.js";
 import { Navigation } from "./navigation.js";
+import { chooseTheme } from "./theme.js";
 
 const ALERT_SECONDS = 8;
 const SILENT_SECONDS = 2;
+// What whoever may not do everything is told.
+const LIMITED = {
+  observer: "You are an observer, who sees and cannot change.",
+  user: "You are a user, who cannot change what belongs to the system or to others.",
+};
 
 const byId = (id) => document.getElementById(id);
 const questions = new Map();
@@ -14,9 +20,10 @@ let alerted;
 // What rooms have of the studio.
 const studio = {
   jobs: new Jobs(),
-  // The role that the server has given to this page, and whether it may change anything.
+  // The role that the server has given to this page, whether it may change anything, and what it is told of that.
   role: "",
   mayChange: false,
+  limit: "",
   // The keywords of urbiscript.
   keywords: [],
   // The simulated worlds whose pages can be shown: name and title.
@@ -60,11 +67,13 @@ function welcome({ role, keywords }) {
   studio.role = role;
   studio.keywords = keywords;
   studio.mayChange = role !== "observer";
+  studio.limit = LIMITED[role] ?? "";
   studio.jobs.clear();
   for (const id of [...questions.keys()]) resolve(id, "The connection was lost before the answer came.");
   byId("role").hidden = false;
   byId("role").textContent = role;
-  byId("role").title = studio.mayChange ? "" : "An observer sees, and cannot change.";
+  byId("limit").hidden = !studio.limit;
+  byId("limit").textContent = studio.limit;
   navigation.welcome();
 }
 
@@ -114,18 +123,6 @@ setInterval(() => {
   }
 }, 1000);
 
-function theme(name) {
-  if (!name) return;
-  document.documentElement.dataset.theme = name;
-  window.dispatchEvent(new Event("resize"));
-}
-theme(localStorage.getItem("theme"));
-byId("theme").addEventListener("click", () => {
-  const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-  const now = document.documentElement.dataset.theme ?? (dark ? "dark" : "light");
-  const next = now === "dark" ? "light" : "dark";
-  localStorage.setItem("theme", next);
-  theme(next);
-});
+chooseTheme(byId("theme"));
 
 navigation.follow();

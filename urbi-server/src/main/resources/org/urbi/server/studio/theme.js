@@ -1,0 +1,47 @@
+// The colours of the page: those of the system, or those that somebody has chosen, which the browser keeps.
+const CHOICES = [
+  { name: "", sign: "◐", label: "Colours as the system has them" },
+  { name: "light", sign: "○", label: "Light colours" },
+  { name: "dark", sign: "●", label: "Dark colours" },
+];
+const KEY = "theme";
+
+// A browser may keep nothing for pages.
+function kept() {
+  try {
+    return localStorage.getItem(KEY) ?? "";
+  } catch {
+    return "";
+  }
+}
+
+function keep(name) {
+  try {
+    if (name) localStorage.setItem(KEY, name);
+    else localStorage.removeItem(KEY);
+  } catch {
+    // Then it is chosen for this visit.
+  }
+}
+
+// A button goes from each choice to the next one.
+export function chooseTheme(button) {
+  let chosen = 0;
+  const show = (index) => {
+    chosen = index;
+    const { name, sign, label } = CHOICES[index];
+    if (name) document.documentElement.dataset.theme = name;
+    else delete document.documentElement.dataset.theme;
+    button.textContent = sign;
+    button.title = label;
+    button.setAttribute("aria-label", label);
+  };
+  const before = kept();
+  show(Math.max(0, CHOICES.findIndex(({ name }) => name === before)));
+  button.addEventListener("click", () => {
+    show((chosen + 1) % CHOICES.length);
+    keep(CHOICES[chosen].name);
+    // What is drawn is drawn anew.
+    window.dispatchEvent(new Event("resize"));
+  });
+}
