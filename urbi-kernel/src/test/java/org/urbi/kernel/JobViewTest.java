@@ -2,12 +2,14 @@ package org.urbi.kernel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
@@ -101,7 +103,7 @@ class JobViewTest {
     Look wanted = new Look(0, List.of(job.number()), null, null);
     List<Turn> turns;
     do {
-      turns = owner.look(wanted).last.turns();
+      turns = owner.look(wanted).last.turns().turns();
     } while (turns.stream().noneMatch(turn -> turn.before() == Wait.TIME));
     // Who made the job runnable before anybody looked is not known.
     for (Turn turn : turns.stream().dropWhile(each -> each.before() != Wait.TIME).toList()) {
@@ -130,7 +132,7 @@ class JobViewTest {
     List<Turn> turns = new ArrayList<>();
     Predicate<Turn> wakes = turn -> turn.job() == listening && turn.wakers().contains(beating);
     while (turns.stream().noneMatch(wakes)) {
-      turns.addAll(owner.look(wanted).last.turns());
+      turns.addAll(owner.look(wanted).last.turns().turns());
     }
     Turn woken = turns.stream().filter(wakes).findFirst().orElseThrow();
     assertEquals(Wait.EVENT, woken.before());
@@ -150,10 +152,60 @@ class JobViewTest {
     Look wanted = new Look(0, List.of(ticks), null, null);
     owner.look(wanted);
     program.say("for& (10000) { ; 1; 2 };");
-    List<Turn> turns = owner.look(wanted).last.turns();
+    List<Turn> turns = owner.look(wanted).last.turns().turns();
     long others = turns.stream().map(Turn::job).filter(job -> job != ticks).distinct().count();
     assertTrue(others > 0 && others <= 64, others + " new jobs");
     assertTrue(turns.stream().anyMatch(turn -> turn.job() == ticks), "and the one that is traced");
+  }
+
+  /** Nobody must take the time in which he has not looked for one in which a job has waited. */
+  @Test
+  void sinceWhenTheTurnsOfEachJobAreToldIsTold() {
+    program.say("ticks: every| (1ms) { 1 }, tocks: every| (1ms) { 1 },");
+    long ticks = owner.under("ticks").number();
+    long tocks = owner.under("tocks").number();
+    long one = since(ticks, ticks);
+    assertTrue(one >= owner.last.machine(), "from now on");
+    assertNull(owner.look(looking(ticks)).last.turns().traced(), "that has not changed");
+    Map<Long, Long> both = traced(looking(ticks, tocks));
+    assertEquals(one, both.get(ticks), "it has been traced without a break");
+    assertTrue(both.get(tocks) > one);
+    assertEquals(Map.of(tocks, both.get(tocks)), traced(looking(tocks)));
+    long away = owner.last.machine();
+    assertTrue(since(ticks, tocks, ticks) > away, "there was a break");
+    Viewer other = new Viewer(kernel, Role.OWNER);
+    other.look(looking(tocks));
+    assertTrue(other.last.turns().traced().get(tocks) >= other.last.machine(), "others have not");
+    assertEquals(Map.of(), traced(looking()));
+    program.say("late: sleep(1h),");
+    long late = owner.under("late").number();
+    long then = owner.last.machine();
+    assertTrue(since(late, late) > then, "its first turn was not told to who did not look");
+    program.say("later: sleep(1h),");
+    Predicate<JobRow> isNew = row -> row.number() > late && row.waits().equals("time");
+    while (owner.look(looking(late)).jobs.values().stream().noneMatch(isNew)) {
+      // It is still being started.
+    }
+    JobRow born = owner.jobs.values().stream().filter(isNew).findFirst().orElseThrow();
+    long seen = owner.last.machine();
+    assertTrue(since(born.number(), born.number(), late) < seen, "it was new: all is known of it");
+  }
+
+  private static Look looking(Long... traced) {
+    return new Look(0, List.of(traced), null, null);
+  }
+
+  /** What is told of which jobs are traced, as soon as that changes. */
+  private Map<Long, Long> traced(Look wanted) {
+    Map<Long, Long> told;
+    do {
+      told = owner.look(wanted).last.turns().traced();
+    } while (told == null);
+    return told;
+  }
+
+  private long since(long job, Long... traced) {
+    return traced(looking(traced)).get(job);
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.Clock;
 
@@ -13,6 +14,15 @@ import org.urbi.kernel.time.Clock;
 public final class TurnMeter {
   /** How many turns are kept: whoever looks too rarely misses some. */
   private static final int KEPT = 1 << 13;
+
+  /**
+   * When there are more than so many since somebody has asked, those of jobs that only let others
+   * run in between are joined: jobs that never wait must not take the room of all the others.
+   */
+  private static final int MANY = KEPT / 2;
+
+  /** How long such a job has let others run, at most, in nanoseconds. */
+  private static final long SHORT = 100_000;
 
   /** How many jobs that have just been started are traced, before anybody can ask for them. */
   private static final int MOST_NEWBORN = 64;
@@ -35,6 +45,12 @@ public final class TurnMeter {
     private int tracers;
     private int firstTurns;
 
+    /** The number of its latest turn that was kept. */
+    private long latest;
+
+    /** When it was started, if its first turns are kept. */
+    private long born;
+
     private boolean isTraced() {
       return tracers > 0 || firstTurns > 0;
     }
@@ -49,11 +65,16 @@ public final class TurnMeter {
   private final long[] ends = new long[KEPT];
   private final @Nullable Wait[] waits = new Wait[KEPT];
   private final boolean[] last = new boolean[KEPT];
+  private final boolean[] first = new boolean[KEPT];
 
   /** Counts for the jobs for whose measures there was no memory. */
   private final Measures lost = new Measures();
 
   private long next;
+
+  /** The number of the first turn that nobody has been told of. */
+  private long untold;
+
   private @Nullable Job charged;
   private long since;
   private Wait before = Wait.TURN;
@@ -103,6 +124,7 @@ public final class TurnMeter {
     if (tracers > 0 && newborn < MOST_NEWBORN) {
       newborn++;
       measures.firstTurns = FIRST_TURNS;
+      measures.born = machine.now();
     }
   }
 
@@ -129,7 +151,15 @@ public final class TurnMeter {
   }
 
   private void keep(Job done, Measures measures, long now) {
+    int latest = (int) (measures.latest % KEPT);
+    if (next - untold > MANY && goesOn(done, measures.latest, latest)) {
+      ends[latest] = now;
+      last[latest] = done.state() == JobState.ENDED;
+      return;
+    }
+    measures.latest = next;
     int at = (int) (next++ % KEPT);
+    first[at] = measures.firstTurns > 0;
     measures.firstTurns = Math.max(0, measures.firstTurns - 1);
     jobs[at] = done.number();
     System.arraycopy(wakersNow, 0, wakers, WAKERS * at, WAKERS);
@@ -137,6 +167,15 @@ public final class TurnMeter {
     ends[at] = now;
     waits[at] = before;
     last[at] = done.state() == JobState.ENDED;
+  }
+
+  /** Whether the turn of a job that is over is one with an earlier one, for whoever looks. */
+  private boolean goesOn(Job done, long number, int at) {
+    return number >= Math.max(untold, next - KEPT)
+        && number < next
+        && jobs[at] == done.number()
+        && wakersNow[0] == done.number()
+        && since - ends[at] < SHORT;
   }
 
   /** The time of the machine, in nanoseconds. */
@@ -167,19 +206,33 @@ public final class TurnMeter {
     return next;
   }
 
+  /** Since when the turns of a job are kept for all, because it is new; now if they are not. */
+  public long firstTurnsSince(Job job) {
+    Measures measures = measures(job);
+    return measures.firstTurns > 0 ? measures.born : machine.now();
+  }
+
+  /** When the oldest turn began that is kept of those from a number on; 0 if none is lost. */
+  public long lostUntil(long from) {
+    return from < next - KEPT ? begins[(int) (next % KEPT)] : 0;
+  }
+
   /**
-   * The turns of the traced jobs, and the first ones of jobs that were started since, as far as
-   * they are still kept.
+   * The turns of some of the traced jobs, and the first ones of jobs that were started since, as
+   * far as they are still kept. Those of jobs that others have traced, perhaps not all the time,
+   * are left out.
    *
    * @param from the number of the first one that is wanted
+   * @param wanted the numbers of the jobs
    */
-  public List<Turn> turns(long from) {
+  public List<Turn> turns(long from, Set<Long> wanted) {
     newborn = 0;
+    untold = next;
     List<Turn> turns = new ArrayList<>();
     for (long number = Math.max(from, next - KEPT); number < next; number++) {
       int at = (int) (number % KEPT);
       Wait wait = waits[at];
-      if (wait != null) {
+      if (wait != null && (first[at] || wanted.contains(jobs[at]))) {
         turns.add(new Turn(jobs[at], wakers(at), begins[at], ends[at], wait, last[at]));
       }
     }

@@ -2,7 +2,6 @@ package org.urbi.kernel.observe;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.job.Turn;
 
 /**
  * What has changed since somebody looked last. One view is about a limited number of jobs: several
@@ -16,7 +15,7 @@ import org.urbi.kernel.job.Turn;
  * @param gone the numbers of the jobs that have ended
  * @param tags that are new, or have changed
  * @param tagsGone the numbers of the tags under which there is nothing any more
- * @param turns of the traced jobs
+ * @param turns of the traced jobs, and which jobs those are
  * @param detail of the selected job, at the end of a round; null if there is none
  * @param reactions and events, at the end of a round; null if they are not wanted
  * @param variables the slots of objects, at the end of a round; null if they are not wanted
@@ -31,13 +30,13 @@ public record View(
     List<Long> gone,
     List<TagRow> tags,
     List<Long> tagsGone,
-    List<Turn> turns,
+    TurnView turns,
     @Nullable JobDetail detail,
     @Nullable ReactionView reactions,
     @Nullable VariableView variables,
     boolean complete) {
   /** Whether it has nothing to tell but the time: in the middle of a round, most have not. */
   public boolean isVoid() {
-    return !complete && jobs.isEmpty() && gone.isEmpty() && tags.isEmpty() && turns.isEmpty();
+    return !complete && jobs.isEmpty() && gone.isEmpty() && tags.isEmpty() && turns.isVoid();
   }
 }

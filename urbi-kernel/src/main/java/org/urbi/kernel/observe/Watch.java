@@ -1,14 +1,15 @@
 package org.urbi.kernel.observe;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobState;
 import org.urbi.kernel.job.Located;
 import org.urbi.kernel.job.Place;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.job.Turn;
 import org.urbi.kernel.job.TurnMeter;
 import org.urbi.lang.source.Span;
 
@@ -39,6 +40,13 @@ public final class Watch {
   private int next;
   private int known;
   private List<Job> traced = List.of();
+
+  /** Since when all turns of each of them have been told: of the machine's time. */
+  private Map<Long, Long> tracedSince = Map.of();
+
+  /** Since when the first turns of new jobs have been told. */
+  private long toldSince;
+
   private long nextTurn;
 
   /** Begins to look; to be {@linkplain #end ended}. */
@@ -49,6 +57,7 @@ public final class Watch {
     this.places = places;
     meter = scheduler.beginObservation();
     nextTurn = meter.next();
+    toldSince = meter.now();
   }
 
   /** Looks no longer. */
@@ -62,8 +71,11 @@ public final class Watch {
   /** What has changed since the last look. */
   public View look(Look wanted) {
     long now = meter.now();
+    // Those of the jobs that were traced until now: others may be from now on.
+    TurnView turning = turns(now);
     if (next == round.size()) {
       begin(wanted);
+      turning = withTraced(turning);
     }
     List<JobRow> changed = new ArrayList<>();
     List<Long> gone = new ArrayList<>();
@@ -96,7 +108,7 @@ public final class Watch {
         gone,
         tags.changes(complete),
         complete ? tags.gone() : List.of(),
-        turns(),
+        turning,
         complete ? detail(wanted.selected()) : null,
         reacting,
         varying,
@@ -108,9 +120,23 @@ public final class Watch {
     next = 0;
     known = 0;
     seenNow = new ArrayList<>(round.size());
-    traced.forEach(meter::endTrace);
+    List<Job> before = traced;
     traced = wanted.traced().stream().map(this::job).filter(job -> job != null).toList();
+    // In this order, so that those that go on being traced are so without a break.
     traced.forEach(meter::beginTrace);
+    before.forEach(meter::endTrace);
+  }
+
+  private TurnView withTraced(TurnView turning) {
+    Map<Long, Long> since = new LinkedHashMap<>();
+    for (Job job : traced) {
+      Long before = tracedSince.get(job.number());
+      long known = before == null ? meter.firstTurnsSince(job) : before;
+      since.put(job.number(), Math.max(known, toldSince));
+    }
+    boolean same = since.equals(tracedSince);
+    tracedSince = since;
+    return same ? turning : new TurnView(turning.turns(), turning.lostUntil(), since);
   }
 
   /** What is known of a job. Both lists are in the order of the numbers. */
@@ -168,14 +194,16 @@ public final class Watch {
     return variables.look(ways);
   }
 
-  private List<Turn> turns() {
-    if (traced.isEmpty()) {
-      nextTurn = meter.next();
-      return List.of();
-    }
-    List<Turn> turns = meter.turns(nextTurn);
+  private TurnView turns(long now) {
+    long from = nextTurn;
     nextTurn = meter.next();
-    return turns;
+    if (traced.isEmpty()) {
+      toldSince = now;
+      return new TurnView(List.of(), 0, null);
+    }
+    long lostUntil = meter.lostUntil(from);
+    toldSince = Math.max(toldSince, lostUntil);
+    return new TurnView(meter.turns(from, tracedSince.keySet()), lostUntil, null);
   }
 
   private @Nullable JobDetail detail(long number) {

@@ -12,6 +12,7 @@ import org.urbi.kernel.observe.JobDetail;
 import org.urbi.kernel.observe.JobRow;
 import org.urbi.kernel.observe.ReactionView;
 import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.TurnView;
 import org.urbi.kernel.observe.VariableView;
 import org.urbi.kernel.observe.View;
 import org.urbi.web.Annex;
@@ -28,13 +29,18 @@ final class Answer {
 
   private Answer() {}
 
-  /** The first thing that a browser is told. */
-  static String hello(String role, String version, List<String> keywords) {
+  /**
+   * The first thing that a browser is told.
+   *
+   * @param instance of another server it is another one: numbers mean something else there
+   */
+  static String hello(String role, String version, String instance, List<String> keywords) {
     return object(
         "hello",
         out -> {
           out.writeStringField("role", role);
           out.writeStringField("version", version);
+          out.writeStringField("instance", instance);
           writeTexts(out, "keywords", keywords);
         });
   }
@@ -126,11 +132,7 @@ final class Answer {
           }
           out.writeEndArray();
           write(out, "tagsGone", view.tagsGone());
-          out.writeArrayFieldStart("turns");
-          for (Turn turn : view.turns()) {
-            write(out, turn);
-          }
-          out.writeEndArray();
+          write(out, view.turns());
           JobDetail detail = view.detail();
           if (detail != null) {
             out.writeFieldName("detail");
@@ -162,6 +164,28 @@ final class Answer {
     write(out, "tags", job.tags());
     out.writeNumberField("share", job.share());
     out.writeEndObject();
+  }
+
+  private static void write(JsonGenerator out, TurnView turning) throws IOException {
+    out.writeArrayFieldStart("turns");
+    for (Turn turn : turning.turns()) {
+      write(out, turn);
+    }
+    out.writeEndArray();
+    if (turning.lostUntil() != 0) {
+      out.writeNumberField("lostUntil", turning.lostUntil() / MILLISECOND);
+    }
+    Map<Long, Long> traced = turning.traced();
+    if (traced != null) {
+      out.writeArrayFieldStart("traced");
+      for (Map.Entry<Long, Long> each : traced.entrySet()) {
+        out.writeStartArray();
+        out.writeNumber(each.getKey());
+        out.writeNumber(each.getValue() / MILLISECOND);
+        out.writeEndArray();
+      }
+      out.writeEndArray();
+    }
   }
 
   /** A turn, as a list: there are very many of them. */

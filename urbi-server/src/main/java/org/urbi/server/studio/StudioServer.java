@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.Trace;
 import org.urbi.server.net.TlsGate;
 import org.urbi.server.studio.access.Admission;
@@ -59,6 +60,7 @@ public final class StudioServer implements AutoCloseable {
     SslContext tls =
         accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
     port = new PagePort("urbi-studio", accessPolicy.defaultRole() != null);
+    String instance = ProcessHandle.current().pid() + "-" + new SystemClock().startTime();
     Admission admission = new Admission(accessPolicy, trace, port.places());
     Guests programs =
         new Guests(
@@ -71,7 +73,9 @@ public final class StudioServer implements AutoCloseable {
           address,
           tls,
           PAGE,
-          () -> new Viewer(admission, lobbies, syntax, folders, fileWorker, annexes, recorded),
+          () ->
+              new Viewer(
+                  admission, lobbies, syntax, folders, fileWorker, annexes, recorded, instance),
           programs,
           new Entrance(annexes, annex -> new AnnexGate(admission, annex)));
     } catch (IOException e) {

@@ -49,6 +49,7 @@ final class Viewer extends StreamHandler {
   private final Worker fileWorker;
   private final Annexes annexes;
   private final RecordedFile recorded;
+  private final String instance;
   private final List<Runnable> notListening = new ArrayList<>();
   private @Nullable Connection connection;
   private @Nullable Sampler sampler;
@@ -66,7 +67,8 @@ final class Viewer extends StreamHandler {
       Folders folders,
       Worker fileWorker,
       Annexes annexes,
-      RecordedFile recorded) {
+      RecordedFile recorded,
+      String instance) {
     super(admission, MOST_REQUESTS);
     this.lobbies = lobbies;
     this.syntax = syntax;
@@ -74,6 +76,7 @@ final class Viewer extends StreamHandler {
     this.fileWorker = fileWorker;
     this.annexes = annexes;
     this.recorded = recorded;
+    this.instance = instance;
   }
 
   // ------------------------------------------------------------------ who it is
@@ -93,7 +96,7 @@ final class Viewer extends StreamHandler {
     desk = new CodeDesk(channel, connection, syntax);
     files = new FileDesk(channel, connection, role, folders, fileWorker);
     List<String> keywords = Keywords.all().stream().sorted().toList();
-    send(channel, Answer.hello(role.text(), Version.number(), keywords));
+    send(channel, Answer.hello(role.text(), Version.number(), instance, keywords));
     tell(annexes::listen, () -> send(channel, Answer.worlds(annexes.all())));
     tell(recorded::listen, () -> send(channel, Answer.recording(recorded.name())));
     look(channel);
