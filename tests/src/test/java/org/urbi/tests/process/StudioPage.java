@@ -2,9 +2,14 @@ package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.urbi.tests.process.JavaProcess.Setting;
 
 /**
@@ -29,8 +34,7 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
   static StudioPage start(
       Setting setting, Browser browser, Path folder, String program, String room) throws Exception {
     Path file = Files.writeString(folder.resolve("program.u"), program);
-    List<String> words = List.of("--studio=0", "-P", "0", "-i", "-f", file.toString());
-    JavaProcess urbi = JavaProcess.start(setting, URBI, words);
+    JavaProcess urbi = serve(setting, "0", "-f", file.toString());
     try {
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
@@ -43,18 +47,68 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
     }
   }
 
+  /**
+   * Starts a server alone.
+   *
+   * @param port of its studio; 0 for any
+   */
+  static JavaProcess serve(Setting setting, String port, String... more) throws IOException {
+    List<String> words = new ArrayList<>(List.of("--studio=" + port, "-P", "0", "-i"));
+    words.addAll(List.of(more));
+    return JavaProcess.start(setting, URBI, words);
+  }
+
+  /** The port of its studio. */
+  String port() {
+    return address.replaceAll("\\D", "");
+  }
+
+  /** A file that tells who is let in, as the server asks for it: for nobody else's eyes. */
+  static String tokens(Path folder, String lines) throws IOException {
+    Set<PosixFilePermission> secret = PosixFilePermissions.fromString("rw-------");
+    Path file =
+        Files.createFile(folder.resolve("tokens"), PosixFilePermissions.asFileAttribute(secret));
+    return Files.writeString(file, lines).toString();
+  }
+
   /** The text of an element. */
   static String text(String selector) {
     return "return document.querySelector('" + selector + "')?.textContent";
   }
 
-  /** JavaScript: the row of the job under a tag. */
-  static String row(String tag) {
-    return "[...document.querySelectorAll('.row')]"
-        + ".find(row => [...row.querySelectorAll('.chip')].some(chip => chip.textContent === '"
+  /** JavaScript: the rows of the jobs under a tag that match a selector, one after the other. */
+  static String rows(String tag, String selector) {
+    return "[...document.querySelectorAll('.row"
+        + selector
+        + "')].filter(row => [...row.querySelectorAll('.chip')].some(chip => chip.textContent === '"
         + tag
         + "'))";
   }
+
+  /** JavaScript: the row of the job under a tag that has not ended. */
+  static String row(String tag) {
+    return rows(tag, ":not(.ended)") + "[0]";
+  }
+
+  /**
+   * JavaScript: a function that makes a row into what its lane tells to who points at one place of
+   * it after the other, a letter for each: r where it ran, ? where nobody has looked, . behind its
+   * end, else the first one of what it waited for.
+   */
+  static final String LANE =
+      """
+      const lane = (row) => {
+        const {top, height} = row.getBoundingClientRect();
+        const {left, right} = document.querySelector('#lanes').getBoundingClientRect();
+        let told = '';
+        for (let x = Math.ceil(left); x < right; x++) {
+          document.querySelector('#list').dispatchEvent(new PointerEvent('pointermove', {clientX: x, clientY: top + height / 2}));
+          const text = document.querySelector('#turn').textContent.replace(/^\\w+: (waits for )?/, '');
+          told += text.startsWith('was not') ? '?' : text.startsWith('has ended') ? '.' : text[0];
+        }
+        return told;
+      };
+      """;
 
   /**
    * What the lane of the job under a tag tells to who points at one place of it after the other:

@@ -3,12 +3,8 @@ package org.urbi.tests.process;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermission;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.tests.process.JavaProcess.Setting;
@@ -52,7 +48,7 @@ class StudioTest {
 
   /** JavaScript that finds the row of the job whose code begins like that. */
   private static String row(String code) {
-    return "[...document.querySelectorAll('.row')]"
+    return "[...document.querySelectorAll('.row:not(.ended)')]"
         + ".find(row => row.querySelector('.code').textContent.startsWith('"
         + code
         + "'))";
@@ -97,16 +93,13 @@ class StudioTest {
   /** The server is started again, and asks for tokens now. */
   private static void comesBackAndObserves(Browser browser, String address, Path folder)
       throws Exception {
-    Set<PosixFilePermission> secret = PosixFilePermissions.fromString("rw-------");
-    Path tokens =
-        Files.createFile(folder.resolve("tokens"), PosixFilePermissions.asFileAttribute(secret));
-    Files.writeString(tokens, "observer 0123456789abcdef visitor\n");
+    String tokens = StudioPage.tokens(folder, "observer 0123456789abcdef visitor\n");
     String port = address.replaceAll("\\D", "");
     List<String> words =
         List.of(
             "--studio=" + port,
             "--tokens",
-            tokens.toString(),
+            tokens,
             "--default-role",
             "owner",
             "-i",

@@ -82,15 +82,15 @@ export class JobList {
     row.style.transform = `translateY(${index * this.row}px)`;
     row.setAttribute("aria-level", line.level);
     row.setAttribute("aria-selected", line.key === this.selected);
-    row.setAttribute("aria-posinset", index + 1);
-    row.setAttribute("aria-setsize", this.lines.length);
+    row.setAttribute("aria-posinset", line.place);
+    row.setAttribute("aria-setsize", line.of);
     const [what, state, share] = row.firstChild.children;
     what.style.paddingLeft = `${(line.level - 1) * INDENT}rem`;
     if (line.children) row.setAttribute("aria-expanded", line.open);
     else row.removeAttribute("aria-expanded");
     what.children[0].textContent = line.children ? (line.open ? "▾" : "▸") : "";
     if (!line.job) {
-      what.children[2].textContent = `${line.children} ${line.children === 1 ? "job" : "jobs"}`;
+      what.children[2].textContent = `${line.alive} ${line.alive === 1 ? "job" : "jobs"}`;
       return;
     }
     // The row of a line may be that of an earlier look at the same job.
@@ -101,6 +101,7 @@ export class JobList {
     what.children[1].textContent = job.code || job.name;
     what.children[2].textContent = job.code ? job.name : "";
     row.title = `${job.name} ${job.place}`;
+    row.classList.toggle("ended", Boolean(job.ended));
     for (const chip of [...what.querySelectorAll(".chip")]) chip.remove();
     for (const name of this.jobs.tagNames(job).filter((each) => each !== job.lobby)) {
       what.append(element("span", "chip", name));
@@ -111,7 +112,7 @@ export class JobList {
     share.firstChild.value = percent;
     share.lastChild.textContent = percent ? `${percent.toFixed(1)} %` : "";
     const waits = kind === "running" || kind === "frozen" ? kind : `waits for ${kind}`;
-    row.setAttribute("aria-description", `${waits}, ${percent} percent`);
+    row.setAttribute("aria-description", job.ended ? "has ended" : `${waits}, ${percent} percent`);
   }
 
   create(line) {
@@ -181,7 +182,7 @@ export class JobList {
     if (steps) this.move(steps);
     else if (event.key === "ArrowLeft" && line?.children && line.open) this.toggle(line.key);
     else if (event.key === "ArrowRight" && line?.children && !line.open) this.toggle(line.key);
-    else if (this.actions[event.key] && line?.job) this.actions[event.key](line.key);
+    else if (this.actions[event.key] && line?.job && !this.jobs.rows.get(line.key)?.ended) this.actions[event.key](line.key);
     else return;
     event.preventDefault();
   }

@@ -8,7 +8,7 @@ import { Side } from "./side.js";
 const MOST_TRACED = 64;
 const TELL_AFTER = 100;
 const POINT = "Draw across the lanes to go back, two fingers or Ctrl and the wheel show less or more; a turn tells of itself.";
-const KINDS = ["running", "time", "event", "condition", "jobs", "lock", "signal", "file", "frozen"];
+const KINDS = ["running", "time", "event", "condition", "jobs", "lock", "signal", "file", "frozen", "ended"];
 
 const PAGE = `
   <section class="card" aria-labelledby="jobs-title">
@@ -171,7 +171,7 @@ export class Room {
   tellInterest() {
     const { first, last } = this.list.visible();
     const lines = this.shown ? this.list.lines.slice(first, last) : [];
-    const traced = lines.filter((line) => line.job).map((line) => line.key);
+    const traced = lines.filter((line) => line.job && !line.job.ended).map((line) => line.key);
     const selected = this.shown ? this.selected : 0;
     const next = JSON.stringify({ type: "interest", selected, traced: traced.slice(0, MOST_TRACED) });
     if (next !== this.interest) {

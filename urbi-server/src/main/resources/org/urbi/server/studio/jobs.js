@@ -1,8 +1,12 @@
 // What is known of the jobs and tags, put together from what has changed.
+import { Track } from "./track.js";
+
 const KEPT = 60000;
-const MOST_TURNS = 20000;
 // Turns may come before the job: of one that is never told of, because it has ended, they are kept so long.
 const UNSEEN = 5000;
+// Jobs that have ended are shown for a while, but of those of the same starter only so many, the latest ones, and so many in all.
+const MOST_ENDED_OF_ONE = 8;
+const MOST_ENDED = 1000;
 
 export class Jobs {
   constructor() {
@@ -10,52 +14,142 @@ export class Jobs {
   }
 
   clear() {
+    // Those that have ended are among them as long as they are shown; `count` is how many have not.
     this.rows = new Map();
+    this.ended = [];
+    // Those of before the connection was lost, until the server has told of them.
+    this.untold = new Set();
+    this.untoldTags = new Set();
+    this.count = 0;
     this.tags = new Map();
-    this.turns = new Map();
+    this.tracks = new Map();
+    this.traced = new Set();
+    // The time at which somebody holds the view: what was there then stays. Null if time goes on.
+    this.held = null;
     this.load = 0;
+    // Counts what changes the lines of the list, and all that comes.
     this.version = 0;
+    this.views = 0;
     this.machine = 0;
     this.at = performance.now();
+  }
+
+  // The same server is there again, and tells all anew: what it does not tell of has ended meanwhile.
+  again() {
+    this.machine = this.now();
+    this.at = performance.now();
+    this.traced.clear();
+    this.untoldTags = new Set(this.tags.keys());
+    this.untold = new Set([...this.rows.values()].filter((job) => !job.ended).map((job) => job.number));
   }
 
   take(view) {
     this.machine = view.machine;
     this.at = performance.now();
+    this.views++;
     for (const job of view.jobs) {
       const known = this.rows.get(job.number);
       if (!known || known.tags.join() !== job.tags.join()) this.version++;
+      if (!known) this.count++;
       this.load += job.share - (known?.share ?? 0);
-      // From when on it is known what it does: the lane begins there.
       job.since = known?.since ?? view.machine;
       this.rows.set(job.number, job);
+      this.untold.delete(job.number);
     }
-    for (const number of view.gone) {
-      this.load -= this.rows.get(number)?.share ?? 0;
-      this.rows.delete(number);
-      this.turns.delete(number);
-      this.version++;
+    this.follow(view);
+    for (const number of view.gone) this.end(number);
+    for (const tag of view.tags) {
+      this.tags.set(tag.number, tag);
+      this.untoldTags.delete(tag.number);
     }
-    for (const tag of view.tags) this.tags.set(tag.number, tag);
     for (const number of view.tagsGone) this.tags.delete(number);
-    for (const turn of view.turns) this.keep(turn);
-    if (view.complete) this.forgetUnseen();
+    if (view.complete) {
+      for (const number of this.untold) this.end(number);
+      for (const number of this.untoldTags) this.tags.delete(number);
+      this.untold.clear();
+      this.untoldTags.clear();
+      this.forgetUnseen();
+      this.forgetEnded();
+    }
+  }
+
+  // A job has ended. What it was is still known for a while.
+  end(number) {
+    const job = this.rows.get(number);
+    if (!job || job.ended) return;
+    this.count--;
+    this.load -= job.share;
+    this.version++;
+    // The tags under which it was may be gone as well.
+    this.rows.set(number, { ...job, share: 0, ended: this.machine, tagNames: this.tagNames(job) });
+    this.ended.push(number);
+  }
+
+  // What was there when somebody began to hold the view stays until he does not any more.
+  forgetEnded() {
+    const siblings = new Map();
+    const kept = [];
+    for (const number of this.ended.toReversed()) {
+      const job = this.rows.get(number);
+      const before = siblings.get(job.starter) ?? 0;
+      siblings.set(job.starter, before + 1);
+      const late = job.ended >= this.machine - KEPT && before < MOST_ENDED_OF_ONE && kept.length < MOST_ENDED;
+      if (late || (this.held !== null && job.since <= this.held)) kept.push(number);
+      else this.forget(number);
+    }
+    this.ended = kept.reverse();
+  }
+
+  forget(number) {
+    this.rows.delete(number);
+    this.tracks.delete(number);
+    this.version++;
   }
 
   forgetUnseen() {
-    for (const [job, turns] of this.turns) {
-      if (!this.rows.has(job) && turns.at(-1).end < this.machine - UNSEEN) this.turns.delete(job);
+    for (const [number, track] of this.tracks) {
+      if (!this.rows.has(number) && track.until < this.machine - UNSEEN) this.tracks.delete(number);
     }
   }
 
-  keep([job, wakers, begin, end, before, ended]) {
-    if (!this.turns.has(job)) this.turns.set(job, []);
-    const turns = this.turns.get(job);
-    turns.push({ wakers, begin, end, before, ended });
-    if (turns.length > MOST_TURNS || turns[0].end < this.machine - 1.2 * KEPT) {
-      const first = turns.findIndex((turn) => turn.end >= this.machine - KEPT);
-      turns.splice(0, Math.max(first, turns.length - MOST_TURNS, 0));
+  // The turns of the jobs that are traced, and of which jobs and times they are: that none is told does not mean that there was none.
+  follow({ machine, turns, lostUntil, traced }) {
+    if (lostUntil) for (const number of this.traced) this.tracks.get(number)?.hole(lostUntil);
+    for (const turn of turns) this.keep(turn, lostUntil);
+    for (const number of this.traced) {
+      const job = this.rows.get(number);
+      if (job && !job.ended) this.tracks.get(number)?.cover(machine, Jobs.kind(job));
     }
+    if (!traced) return;
+    this.traced = new Set(traced.map(([number]) => number));
+    for (const [number, since] of traced) {
+      const track = this.tracks.get(number);
+      if (track) track.hole(since);
+      else this.tracks.set(number, new Track(since));
+    }
+  }
+
+  keep([job, wakers, begin, end, before, ended], lostUntil = 0) {
+    if (!this.tracks.has(job)) this.tracks.set(job, new Track(begin));
+    const track = this.tracks.get(job);
+    track.hole(Math.min(lostUntil, begin));
+    track.turn({ wakers, begin, end, before, ended });
+    track.forget((this.held ?? this.machine) - KEPT, this.held);
+  }
+
+  // Until when it is known what a job has done since its last turn, and what that is.
+  tail(number) {
+    const job = this.rows.get(number);
+    const track = this.tracks.get(number);
+    if (!track || track.last().ended) return { until: -Infinity, kind: "" };
+    const goesOn = job && !job.ended && this.traced.has(number);
+    return goesOn ? { until: this.now(), kind: Jobs.kind(job) } : track;
+  }
+
+  // When a job has ended, as far as that is known; never, if it goes on.
+  endOf(number) {
+    const last = this.tracks.get(number)?.last();
+    return last?.ended ? last.end : (this.rows.get(number)?.ended ?? Infinity);
   }
 
   // The time of the machine by now, in milliseconds.
@@ -65,7 +159,13 @@ export class Jobs {
 
   // What a job is doing, in one word.
   static kind(job) {
+    if (job.ended) return "ended";
     return job.frozen ? "frozen" : job.waits;
+  }
+
+  // How many have not ended.
+  static alive(jobs) {
+    return jobs.filter((job) => !job.ended).length;
   }
 
   // Its name and what it executes; a shell that waits for its next line executes nothing.
@@ -74,7 +174,7 @@ export class Jobs {
   }
 
   tagNames(job) {
-    return job.tags.map((number) => this.tags.get(number)?.name).filter((name) => name);
+    return job.tagNames ?? job.tags.map((number) => this.tags.get(number)?.name).filter((name) => name);
   }
 
   matches(job, words) {
@@ -96,16 +196,22 @@ export class Jobs {
     const stack = [];
     const lobbies = [...below.keys()].filter((key) => typeof key === "string");
     const collator = new Intl.Collator("en", { numeric: true });
-    for (const lobby of lobbies.sort(collator.compare)) {
+    // Where each is among those of the same starter, and of how many, is told to whoever does not see it.
+    const later = (jobs, level) => {
+      for (let i = jobs.length - 1; i >= 0; i--) stack.push({ job: jobs[i], level, place: i + 1, of: jobs.length });
+    };
+    for (const [i, lobby] of lobbies.sort(collator.compare).entries()) {
       const open = !closed.has(lobby);
-      lines.push({ key: lobby, lobby, level: 1, open, children: below.get(lobby).length });
-      if (open) stack.push(...below.get(lobby).map((job) => ({ job, level: 2 })).reverse());
+      const jobs = below.get(lobby);
+      lines.push({ key: lobby, lobby, level: 1, place: i + 1, of: lobbies.length, open, children: jobs.length, alive: Jobs.alive(jobs) });
+      if (open) later(jobs, 2);
       while (stack.length) {
-        const { job, level } = stack.pop();
-        const children = below.get(job.number) ?? [];
-        const opened = !closed.has(job.number);
-        lines.push({ key: job.number, job, level, open: opened, children: children.length });
-        if (opened) for (let i = children.length - 1; i >= 0; i--) stack.push({ job: children[i], level: level + 1 });
+        const line = stack.pop();
+        const { number } = line.job;
+        const children = below.get(number) ?? [];
+        const opened = !closed.has(number);
+        lines.push({ ...line, key: number, open: opened, children: children.length });
+        if (opened) later(children, line.level + 1);
       }
     }
     return lines;
@@ -124,6 +230,6 @@ export class Jobs {
     return [...this.rows.values()]
       .filter((job) => this.matches(job, words))
       .sort((a, b) => b.share - a.share || a.number - b.number)
-      .map((job) => ({ key: job.number, job, level: 1, children: 0 }));
+      .map((job, i, all) => ({ key: job.number, job, level: 1, place: i + 1, of: all.length, children: 0 }));
   }
 }

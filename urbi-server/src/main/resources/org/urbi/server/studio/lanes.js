@@ -16,9 +16,8 @@ export class Lanes {
     this.canvas = canvas;
     this.list = list;
     this.jobs = jobs;
-    // How much time is in sight, in milliseconds, and the time at its end; null for now.
+    // How much time is in sight, in milliseconds.
     this.span = LONGEST;
-    this.paused = null;
     // The turn to which somebody has gone by keys.
     this.turn = null;
   }
@@ -37,6 +36,15 @@ export class Lanes {
       all[kind] = getComputedStyle(probe).color;
     }
     return all;
+  }
+
+  // The time at the end of what is in sight; null for now.
+  get paused() {
+    return this.jobs.held;
+  }
+
+  set paused(time) {
+    this.jobs.held = time;
   }
 
   pause(on) {
@@ -74,20 +82,23 @@ export class Lanes {
     const job = line?.job && jobs.rows.get(line.key);
     if (!job) return "";
     const time = this.at(x);
-    const turns = jobs.turns.get(line.key) ?? [];
+    const track = jobs.tracks.get(line.key);
+    const turns = track?.turns() ?? [];
     const away = (turn) => Math.max(turn.begin - time, time - turn.end, 0);
     const turn = turns.reduce((best, each) => (best && away(best) <= away(each) ? best : each), null);
     const name = `${job.name}: `;
     if (turn && away(turn) <= (NEAR * this.span) / this.canvas.clientWidth) return name + this.ran(turn, line.key);
-    const next = turns.find((each) => each.begin > time);
-    if (!next && time < job.since && !turns.length) return `${name}not yet in sight`;
-    const kind = next ? next.before : Jobs.kind(job);
+    if (time >= jobs.endOf(line.key)) return `${name}has ended`;
+    const tail = jobs.tail(line.key);
+    const last = track?.last();
+    const kind = last && time >= last.end && time <= tail.until ? tail.kind : track?.did(time);
+    if (!kind) return `${name}was not in sight`;
     return name + (kind === "running" || kind === "frozen" ? kind : `waits for ${kind}`);
   }
 
   // Goes to an earlier or a later turn of a job than that of last time, to the latest one first; what it was, in words.
   step(number, steps) {
-    const turns = this.jobs.turns.get(number) ?? [];
+    const turns = this.jobs.tracks.get(number)?.turns() ?? [];
     if (!turns.length) return number ? "No turn of this job yet since it came in sight." : "Select a job first.";
     const known = turns.indexOf(this.turn);
     this.turn = turns[known < 0 ? turns.length - 1 : Math.min(turns.length - 1, Math.max(0, known + steps))];
@@ -155,21 +166,21 @@ export class Lanes {
   }
 
   lane(context, number, middle, x, width, colours, sizes) {
-    const job = this.jobs.rows.get(number);
-    const turns = this.jobs.turns.get(number) ?? [];
+    const track = this.jobs.tracks.get(number);
+    if (!track) return;
     const y = middle.get(number);
     const thin = (kind, from, to) => {
       context.fillStyle = colours[kind] ?? colours.time;
-      if (to > 0 && to > from) context.fillRect(Math.max(0, from), y - sizes.line / 2, to - Math.max(0, from), sizes.line);
+      if (kind && to > 0 && to > from) context.fillRect(Math.max(0, from), y - sizes.line / 2, to - Math.max(0, from), sizes.line);
     };
     let before = null;
     let drawn = -1;
-    for (const turn of turns) {
+    for (const turn of track.all) {
       const from = x(turn.begin);
       const to = x(turn.end);
       if (to >= 0 && before !== null && from - before > 1) thin(turn.before, before, from);
       before = to;
-      if (to < 0 || from > width || to < drawn) continue;
+      if (turn.hole || to < 0 || from > width || to < drawn) continue;
       const end = Math.max(to, from + 1.5);
       context.fillStyle = colours.running;
       context.fillRect(from, y - sizes.lane / 2, end - from, sizes.lane);
@@ -185,6 +196,7 @@ export class Lanes {
         context.fillRect(from - 2, y + (waker < y ? -sizes.lane / 2 - 3 : sizes.lane / 2), 4, 3);
       }
     }
-    if (job && job.waits !== "running") thin(Jobs.kind(job), before ?? x(job.since), width);
+    const { until, kind } = this.jobs.tail(number);
+    if (kind !== "running") thin(kind, before, Math.min(x(until), width));
   }
 }

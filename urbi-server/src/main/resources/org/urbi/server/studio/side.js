@@ -26,7 +26,7 @@ export class Side {
 
   showJob(number, detail) {
     const job = this.jobs.rows.get(number);
-    if (!job) {
+    if (!job || job.ended) {
       const text = number ? "This job has ended." : "Choose a job: by a click, or with the arrow keys.";
       put(this.detail, [text], () => [
         make("p", text, { className: "hint" }),
@@ -71,7 +71,9 @@ export class Side {
 
   showTags() {
     const count = new Map();
-    for (const job of this.jobs.rows.values()) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
+    for (const job of this.jobs.rows.values()) {
+      if (!job.ended) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
+    }
     const all = [...this.jobs.tags.values()].sort((a, b) => a.number - b.number);
     const shown = all.slice(0, MOST_TAGS).map((tag) => ({ ...tag, jobs: count.get(tag.number) ?? 0 }));
     if (all.length > MOST_TAGS) shown.push({ number: "more", hint: `and ${all.length - MOST_TAGS} more` });

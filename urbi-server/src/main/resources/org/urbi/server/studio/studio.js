@@ -85,7 +85,7 @@ function take(message) {
     case "view":
       studio.jobs.take(message);
       byId("time").textContent = `${(message.time / 1000).toFixed(1)} s`;
-      byId("count").textContent = studio.jobs.rows.size.toLocaleString("en");
+      byId("count").textContent = studio.jobs.count.toLocaleString("en");
       byId("load").textContent = `${Math.min(100, studio.jobs.load / 10).toFixed(1)} %`;
       if (byId("connection").dataset.state === "live") byId("connection").textContent = "live";
       break;
