@@ -14,9 +14,19 @@ export function put(host, state, content) {
   const text = JSON.stringify(state);
   if (host.dataset.state === text) return;
   host.dataset.state = text;
-  const focused = host.contains(document.activeElement) ? document.activeElement.dataset.act : null;
+  const focused = focusIn(host);
   host.replaceChildren(...content());
-  if (focused) host.querySelector(`[data-act="${focused}"]`)?.focus();
+  if (focused) returnFocus(host, focused.dataset.act);
+}
+
+function focusIn(host) {
+  return host !== document.activeElement && host.contains(document.activeElement) ? document.activeElement : null;
+}
+
+// Who has nothing but keys goes on from what is in the place of what is gone, or else from the part of the page in which it was.
+function returnFocus(host, act = "") {
+  const [same] = [...host.querySelectorAll("[data-act]")].filter((each) => each.dataset.act === act && !each.disabled);
+  (same ?? host.closest("[tabindex]"))?.focus();
 }
 
 export function set(element, text) {
@@ -40,21 +50,26 @@ export class Items {
   }
 
   show(all) {
-    const wanted = new Set();
+    this.keep(new Set(all.map(this.key)));
     let at = this.host.firstElementChild;
     for (const each of all) {
       const key = this.key(each);
-      wanted.add(key);
       if (!this.known.has(key)) this.known.set(key, this.create(each));
       const item = this.known.get(key);
       this.write(item, each);
       if (item === at) at = at.nextElementSibling;
       else this.host.insertBefore(item, at);
     }
+  }
+
+  // What is not wanted goes first: what is moved loses the keys.
+  keep(wanted) {
     for (const [key, item] of this.known) {
       if (!wanted.has(key)) {
+        const focused = focusIn(item);
         item.remove();
         this.known.delete(key);
+        if (focused) returnFocus(this.host);
       }
     }
   }

@@ -4,6 +4,8 @@ import { Jobs } from "./jobs.js";
 
 const BEYOND = 4;
 const INDENT = 0.9;
+// A click comes this many milliseconds after the end of the touch, at the latest.
+const CLICK_AFTER = 300;
 
 const element = (tag, name, text = "") => {
   const made = document.createElement(tag);
@@ -24,9 +26,37 @@ export class JobList {
     this.selected = null;
     this.words = [];
     this.order = "tree";
+    // Whether somebody is pressing something: then each line stays in its place.
+    this.pressed = false;
     this.actions = { Delete: onStop, s: onStop, f: onFreeze };
     list.addEventListener("keydown", (event) => this.key(event));
     rows.addEventListener("click", (event) => this.click(event));
+    list.addEventListener("pointerdown", (event) => event.button === 0 && this.press());
+    for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, () => this.release());
+    // What was let go elsewhere is not told of.
+    list.addEventListener("pointermove", (event) => event.buttons || this.release());
+  }
+
+  press() {
+    clearTimeout(this.releasing);
+    this.releasing = 0;
+    this.pressed = true;
+  }
+
+  release() {
+    if (!this.pressed || this.releasing) return;
+    this.releasing = setTimeout(() => {
+      this.releasing = 0;
+      this.pressed = false;
+    }, CLICK_AFTER);
+  }
+
+  // The numbers mean nothing any more.
+  forget() {
+    this.selected = null;
+    this.closed.clear();
+    this.pressed = false;
+    this.list.scrollTop = 0;
   }
 
   height() {
@@ -35,8 +65,10 @@ export class JobList {
 
   // Makes the lines anew, if something has changed that they depend on.
   arrange() {
-    const state = `${this.jobs.version} ${this.words.join(" ")} ${this.order} ${this.closed.size}`;
-    if (this.order === "tree" && state === this.state && !this.words.length) return;
+    // What a job does, and what it costs, may be another with each view.
+    const plain = this.order === "tree" && !this.words.length;
+    const state = plain ? `tree ${this.jobs.version}` : `${this.jobs.views}`;
+    if (this.state && (this.pressed || state === this.state)) return;
     this.state = state;
     this.lines = this.order === "tree" ? this.jobs.tree(this.words, this.closed) : this.jobs.busiest(this.words);
     this.rows.style.height = `${Math.max(1, this.lines.length) * this.row}px`;
@@ -150,6 +182,13 @@ export class JobList {
     else this.select(key);
   }
 
+  // Goes to the line below which another one is.
+  up(line) {
+    const at = this.lines.indexOf(line);
+    const above = this.lines.slice(0, at).findLastIndex((each) => each.level < line.level);
+    if (above >= 0) this.move(above - at);
+  }
+
   toggle(key) {
     if (!this.closed.delete(key)) this.closed.add(key);
     this.state = "";
@@ -181,7 +220,9 @@ export class JobList {
     const line = this.lines.find((each) => each.key === this.selected);
     if (steps) this.move(steps);
     else if (event.key === "ArrowLeft" && line?.children && line.open) this.toggle(line.key);
+    else if (event.key === "ArrowLeft" && line) this.up(line);
     else if (event.key === "ArrowRight" && line?.children && !line.open) this.toggle(line.key);
+    else if (event.key === "ArrowRight" && line?.children) this.move(1);
     else if (this.actions[event.key] && line?.job && !this.jobs.rows.get(line.key)?.ended) this.actions[event.key](line.key);
     else return;
     event.preventDefault();

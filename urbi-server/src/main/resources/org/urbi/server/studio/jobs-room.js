@@ -35,11 +35,11 @@ const PAGE = `
     <p id="turn" class="hint" role="status"></p>
   </section>
   <aside>
-    <section class="card" id="detail" aria-labelledby="detail-title">
+    <section class="card" id="detail" tabindex="-1" aria-labelledby="detail-title">
       <h2 id="detail-title">Job</h2>
       <div id="job"></div>
     </section>
-    <section class="card" id="tags" aria-labelledby="tags-title">
+    <section class="card" id="tags" tabindex="-1" aria-labelledby="tags-title">
       <h2 id="tags-title">Tags</h2>
       <ul id="taglist"></ul>
     </section>

@@ -15,10 +15,11 @@ export class Side {
     this.tagItems = new Items(tags, (tag) => tag.number, newItem, (item, tag) => this.fillTag(item, tag));
   }
 
+  // The keys are at the same place still when what it does there is the opposite.
   button(text, action, kind, target, label, danger) {
     const made = make("button", text, { type: "button", disabled: !this.mayChange(), title: label });
     made.setAttribute("aria-label", label);
-    made.dataset.act = `${kind} ${target} ${text}`;
+    made.dataset.act = `${kind} ${target} ${action.replace("un", "")}`;
     if (danger) made.className = "danger";
     made.addEventListener("click", () => this.steer(action, kind, target));
     return made;
