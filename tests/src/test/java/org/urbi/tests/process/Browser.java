@@ -39,6 +39,7 @@ final class Browser {
   private static final Duration LIMIT = TestTimeout.LONG;
   private static final int LONGEST_TEXT = 3000;
   private static final Pattern STARTED = Pattern.compile("started successfully on port (\\d+)");
+  private static final Pattern IDENTIFIER = Pattern.compile("\"identifier\":\"([^\"]+)\"");
   private static final Pattern SESSION = Pattern.compile("\"sessionId\":\"([^\"]+)\"");
   private static final Pattern TEXT =
       Pattern.compile("\\{\"value\":\"((?:[^\"\\\\]++|\\\\.)*+)\"\\}");
@@ -218,15 +219,38 @@ final class Browser {
   }
 
   /** A command of the protocol of Chromium's developer tools. */
-  private void command(String name, String parameters) throws IOException {
-    demand("/goog/cdp/execute", "{\"cmd\":\"" + name + "\",\"params\":{" + parameters + "}}");
+  private String command(String name, String parameters) throws IOException {
+    return demand(
+        "/goog/cdp/execute", "{\"cmd\":\"" + name + "\",\"params\":{" + parameters + "}}");
   }
 
-  private void demand(String command, String json) throws IOException {
+  private String demand(String command, String json) throws IOException {
     String answer = post(command, json);
     if (answer.contains("\"error\"")) {
       throw new AssertionError("the browser does not do it: " + answer);
     }
+    return answer;
+  }
+
+  /**
+   * Has each page that is opened from now on run a script before its own ones.
+   *
+   * @param script without quotation marks of its own
+   * @return ends that
+   */
+  Closing beforeAll(String script) throws IOException {
+    String answer =
+        command("Page.addScriptToEvaluateOnNewDocument", "\"source\":\"" + script + "\"");
+    String identifier = first(IDENTIFIER, answer);
+    return () ->
+        command(
+            "Page.removeScriptToEvaluateOnNewDocument", "\"identifier\":\"" + identifier + "\"");
+  }
+
+  /** Something that lasts until it is closed. */
+  interface Closing extends AutoCloseable {
+    @Override
+    void close() throws IOException;
   }
 
   /** Presses a key: a character, or one of those that WebDriver has in Unicode's private area. */

@@ -4,6 +4,7 @@ import { Editor, LONGEST } from "./editor.js";
 import { Files } from "./files.js";
 import { LineHistory } from "./line-history.js";
 import { Log } from "./log.js";
+import { kept } from "./storage.js";
 
 const DRAFT = "code";
 const MOST_RUNS = 50;
@@ -46,7 +47,7 @@ export class Room {
     this.log = new Log(this.find("log"));
     this.runItems = new Items(this.find("runs"), (run) => run.key, (run) => this.newRun(run), (item, run) => this.fillRun(item, run));
     this.editor = new Editor(this.find("editor"), {
-      text: localStorage.getItem(DRAFT) ?? FIRST_TEXT,
+      text: kept("local", DRAFT) ?? FIRST_TEXT,
       label: "urbiscript",
       keys: [
         { key: "Mod-Enter", run: () => this.runSelected() },

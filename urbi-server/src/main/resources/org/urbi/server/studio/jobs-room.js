@@ -144,8 +144,15 @@ export class Room {
     this.tellInterest();
   }
 
-  welcome() {
+  welcome(anew) {
     this.interest = "";
+    if (anew) {
+      this.selected = 0;
+      this.detail = null;
+      this.lanes.turn = null;
+      this.list.forget();
+      set(this.find("turn"), POINT);
+    }
     this.rearrange();
   }
 

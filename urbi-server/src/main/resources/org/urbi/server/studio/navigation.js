@@ -69,7 +69,7 @@ export class Navigation {
       host.hidden = true;
       this.main.append(host);
       const room = new Room(this.studio, host);
-      if (this.welcomed) room.welcome?.();
+      if (this.welcomed) room.welcome?.(true);
       return { host, room };
     } catch (error) {
       console.error(error);
@@ -81,9 +81,9 @@ export class Navigation {
     for (const opened of this.open.values()) (await opened)?.room[method]?.(...what);
   }
 
-  welcome() {
+  welcome(anew) {
     this.welcomed = true;
-    this.tell("welcome");
+    this.tell("welcome", anew);
   }
 
   take(message) {

@@ -77,9 +77,13 @@ export class Room {
     this.studio.send({ type: "reactions" });
   }
 
-  welcome() {
+  welcome(anew) {
     this.rows.clear();
     this.events.clear();
+    if (anew) {
+      this.chosen = null;
+      this.find("emission-result").textContent = "";
+    }
     if (this.shown) this.ask();
     this.draw();
   }

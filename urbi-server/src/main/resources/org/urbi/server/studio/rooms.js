@@ -2,7 +2,8 @@
 // it is first visited, with the studio (studio.js) and the element that is all its own. What it may have:
 //   show(path)     it comes in sight; path is what stands behind its name in the address (#name/path)
 //   hide()         another one comes in sight
-//   welcome()      the server is there, for the first time or again: what was known is no longer true
+//   welcome(anew)  the server is there, for the first time or again: what was known may no longer be true; anew if it is
+//                  another one than before, whose numbers mean other jobs, tags and events
 //   take(message)  what the server says, in sight or not
 export const ROOMS = [
   // What the first one needs is named in index.html, too: nobody waits for one file to name the next.

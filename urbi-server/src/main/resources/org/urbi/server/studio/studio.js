@@ -1,4 +1,5 @@
 // Puts the parts of the studio together: the connection, what is known of the jobs, the rooms.
+import { set } from "./elements.js";
 import { Stream } from "./stream.js";
 import { Jobs } from "./jobs.js";
 import { Navigation } from "./navigation.js";
@@ -16,6 +17,8 @@ const byId = (id) => document.getElementById(id);
 const questions = new Map();
 let asked = 0;
 let alerted;
+// Which server it was last.
+let known;
 
 // What rooms have of the studio.
 const studio = {
@@ -63,18 +66,22 @@ function resolve(id, error, message = { error }) {
 
 const navigation = new Navigation(byId("nav"), byId("rooms"), studio);
 
-function welcome({ role, keywords }) {
+function welcome({ role, keywords, instance }) {
+  const anew = instance !== known;
+  known = instance;
   studio.role = role;
   studio.keywords = keywords;
   studio.mayChange = role !== "observer";
   studio.limit = LIMITED[role] ?? "";
-  studio.jobs.clear();
+  if (anew) studio.jobs.clear();
+  else studio.jobs.again();
   for (const id of [...questions.keys()]) resolve(id, "The connection was lost before the answer came.");
   byId("role").hidden = false;
   byId("role").textContent = role;
   byId("limit").hidden = !studio.limit;
   byId("limit").textContent = studio.limit;
-  navigation.welcome();
+  byId("entry").hidden = true;
+  navigation.welcome(anew);
 }
 
 function take(message) {
@@ -87,7 +94,7 @@ function take(message) {
       byId("time").textContent = `${(message.time / 1000).toFixed(1)} s`;
       byId("count").textContent = studio.jobs.count.toLocaleString("en");
       byId("load").textContent = `${Math.min(100, studio.jobs.load / 10).toFixed(1)} %`;
-      if (byId("connection").dataset.state === "live") byId("connection").textContent = "live";
+      if (byId("connection").dataset.state === "live") tellBusy(0);
       break;
     case "worlds":
       studio.worlds = message.worlds;
@@ -111,16 +118,32 @@ const stream = new Stream({
   onState: (state, text, connections) => {
     byId("connection").dataset.state = state;
     byId("connection").dataset.connections = connections;
-    byId("connection").textContent = text;
+    set(byId("connection-text"), text);
+    set(byId("busy"), "");
+  },
+  // Another token may be let in.
+  onRefused: () => {
+    byId("entry").hidden = false;
   },
 });
 
-// A kernel that is held cannot answer, which is worth knowing.
+byId("entry").addEventListener("submit", (event) => {
+  event.preventDefault();
+  const token = byId("token").value.trim();
+  byId("token").value = "";
+  if (token) stream.enter(token);
+});
+
+// A kernel that is held cannot answer, which is worth knowing. That is read aloud once, and not each second.
+function tellBusy(silent) {
+  const busy = silent > SILENT_SECONDS;
+  set(byId("connection-text"), busy ? "the kernel is busy" : "live");
+  set(byId("busy"), busy ? ` for ${silent.toFixed(0)} s` : "");
+}
+
 setInterval(() => {
   const silent = (performance.now() - studio.jobs.at) / 1000;
-  if (byId("connection").dataset.state === "live" && silent > SILENT_SECONDS) {
-    byId("connection").textContent = `the kernel has been busy for ${silent.toFixed(0)} s`;
-  }
+  if (byId("connection").dataset.state === "live" && silent > SILENT_SECONDS) tellBusy(silent);
 }, 1000);
 
 chooseTheme(byId("theme"));

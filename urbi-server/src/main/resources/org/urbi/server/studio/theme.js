@@ -1,3 +1,5 @@
+import { forget, keep, kept } from "./storage.js";
+
 // The colours of the page: those of the system, or those that somebody has chosen, which the browser keeps.
 const CHOICES = [
   { name: "", sign: "◐", label: "Colours as the system has them" },
@@ -5,24 +7,6 @@ const CHOICES = [
   { name: "dark", sign: "●", label: "Dark colours" },
 ];
 const KEY = "theme";
-
-// A browser may keep nothing for pages.
-function kept() {
-  try {
-    return localStorage.getItem(KEY) ?? "";
-  } catch {
-    return "";
-  }
-}
-
-function keep(name) {
-  try {
-    if (name) localStorage.setItem(KEY, name);
-    else localStorage.removeItem(KEY);
-  } catch {
-    // Then it is chosen for this visit.
-  }
-}
 
 // A button goes from each choice to the next one.
 export function chooseTheme(button) {
@@ -36,11 +20,13 @@ export function chooseTheme(button) {
     button.title = label;
     button.setAttribute("aria-label", label);
   };
-  const before = kept();
+  const before = kept("local", KEY) ?? "";
   show(Math.max(0, CHOICES.findIndex(({ name }) => name === before)));
   button.addEventListener("click", () => {
     show((chosen + 1) % CHOICES.length);
-    keep(CHOICES[chosen].name);
+    const { name } = CHOICES[chosen];
+    if (name) keep("local", KEY, name);
+    else forget("local", KEY);
     // What is drawn is drawn anew.
     window.dispatchEvent(new Event("resize"));
   });
