@@ -76,6 +76,18 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
     return "return document.querySelector('" + selector + "')?.textContent";
   }
 
+  /** JavaScript: the line of the slot at the end of a way whose steps are separated by blanks. */
+  static String line(String way) {
+    return "[...document.querySelectorAll('.line')].find(line => line.dataset.way === '"
+        + way.replace(" ", "\\n")
+        + "')";
+  }
+
+  /** The value in that line. */
+  static String value(String way) {
+    return "return " + line(way) + "?.querySelector('.value').textContent";
+  }
+
   /** JavaScript: the rows of the jobs under a tag that match a selector, one after the other. */
   static String rows(String tag, String selector) {
     return "[...document.querySelectorAll('.row"

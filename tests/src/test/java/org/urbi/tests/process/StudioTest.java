@@ -26,7 +26,8 @@ class StudioTest {
   private static final String LETTERS =
       "return parseFloat(getComputedStyle(document.body).fontSize)";
 
-  private static final String CUT =
+  /** What of a page is beyond its sides. */
+  static final String CUT =
       """
       const wide = document.documentElement.clientWidth;
       const cut = [...document.querySelectorAll('body *')].filter((element) => {
@@ -37,7 +38,8 @@ class StudioTest {
       return cut.map((element) => element.id || element.className || element.tagName).join(' ');
       """;
 
-  private static final String TOO_SMALL =
+  /** What a finger can hardly hit. */
+  static final String TOO_SMALL =
       """
       const small = [...document.querySelectorAll('button, select, input, a, [role=treeitem], .twisty')].filter((element) => {
         const {width, height} = element.getBoundingClientRect();

@@ -24,18 +24,30 @@ export class Plot {
     this.ways = [];
     this.data = [[]];
     this.version = 0;
-    this.paused = false;
     this.zoomed = false;
+    this.colours = new Map();
+    this.pause(false);
     find("plot-span").addEventListener("change", () => this.showAll());
-    find("plot-pause").addEventListener("click", (event) => {
-      this.paused = !this.paused;
-      event.target.setAttribute("aria-pressed", this.paused);
+    find("plot-pause").addEventListener("click", () => {
+      this.pause(!this.paused);
       this.draw();
     });
     find("plot-csv").addEventListener("click", () => this.save());
     find("plot-area").addEventListener("keydown", (event) => this.key(event));
-    window.addEventListener("resize", () => this.rebuild());
+    // In another room it has no size: it gets that when it is in sight again.
+    new ResizeObserver(() => this.fit()).observe(find("plot-area"));
+    window.addEventListener("resize", () => {
+      this.colours.clear();
+      this.fit();
+      this.chart?.redraw(false, true);
+    });
     this.rebuild();
+  }
+
+  pause(paused) {
+    this.paused = paused;
+    this.end = this.data[0].at(-1) ?? 0;
+    this.find("plot-pause").setAttribute("aria-pressed", paused);
   }
 
   has(way) {
@@ -77,6 +89,8 @@ export class Plot {
     if (times.length && now <= times.at(-1)) {
       if (now === times.at(-1)) return;
       this.data = this.data.map(() => []);
+      this.zoomed = false;
+      this.end = now;
     }
     this.data[0].push(now);
     values.forEach((value, i) => this.data[i + 1].push(value));
@@ -96,35 +110,54 @@ export class Plot {
   draw() {
     if (!this.chart) return;
     const span = Number(this.find("plot-span").value);
-    const end = this.data[0].at(-1) ?? 0;
+    const end = this.paused ? this.end : (this.data[0].at(-1) ?? 0);
+    const first = this.data[0][0] ?? 0;
     this.chart.setData(this.data, false);
-    if (this.zoomed) this.chart.redraw();
-    else if (!this.paused) this.chart.setScale("x", { min: Math.max(end - span, this.data[0][0] ?? 0), max: end });
+    this.chart.setScale("x", this.zoomed ? { ...this.seen } : { min: Math.min(end, Math.max(end - span, first)), max: end });
     this.find("plot-area").dataset.points = this.data[0].length;
     this.find("plot-area").dataset.zoomed = this.zoomed;
   }
 
   colour(name) {
-    const probe = this.find("plot-area");
-    probe.style.color = `var(--${name})`;
-    const colour = getComputedStyle(probe).color;
-    probe.style.color = "";
-    return colour;
+    if (!this.colours.has(name)) {
+      const probe = this.find("plot-area");
+      probe.style.color = `var(--${name})`;
+      this.colours.set(name, getComputedStyle(probe).color);
+      probe.style.color = "";
+    }
+    return this.colours.get(name);
   }
 
+  // Its place has another size, or the letters have.
+  fit() {
+    const width = this.find("plot-area").clientWidth;
+    if (!this.chart || !width) return;
+    if (this.letters !== rem(1)) this.rebuild();
+    else if (this.chart.width !== width) this.chart.setSize({ width, height: this.chart.height });
+  }
+
+  // Other numbers are plotted, at the times that are in sight.
   rebuild() {
+    const { seen } = this;
     this.chart?.destroy();
     this.chart = null;
     const area = this.find("plot-area");
     const used = this.ways.length > 0;
+    if (!used) {
+      this.zoomed = false;
+      this.pause(false);
+    }
     area.hidden = !used;
     this.find("plot-hint").hidden = used;
     this.find("plot-csv").disabled = this.find("plot-pause").disabled = !used;
     this.find("plotted").replaceChildren(...this.ways.map((way, i) => this.chip(way, i)));
     if (!used) return;
-    const axis = { font: `${rem(0.75)}px system-ui, sans-serif`, stroke: this.colour("faint"), grid: { stroke: this.colour("line"), width: 1 }, ticks: { stroke: this.colour("line"), width: 1 } };
+    this.letters = rem(1);
+    this.colours.clear();
+    const line = { stroke: () => this.colour("line"), width: 1 };
+    const axis = { font: `${rem(0.75)}px system-ui, sans-serif`, stroke: () => this.colour("faint"), grid: line, ticks: line };
     const options = {
-      width: area.clientWidth || 600,
+      width: area.clientWidth,
       height: rem(HEIGHT),
       legend: { show: false },
       scales: { x: { time: false } },
@@ -132,13 +165,22 @@ export class Plot {
         { ...axis, size: rem(3), space: rem(4), values: (_, marks) => marks.map((mark) => `${shownMark(mark)} s`) },
         { ...axis, size: rem(3.75), values: (_, marks) => marks.map(shownMark) },
       ],
-      series: [{}, ...this.ways.map((way, i) => ({ label: shownWay(way), stroke: this.colour(COLOURS[i % COLOURS.length]), width: 1.5, spanGaps: false }))],
-      hooks: { setSelect: [(chart) => (this.zoomed = chart.select.width > 0 || this.zoomed)] },
+      series: [{}, ...this.ways.map((way, i) => ({ label: shownWay(way), stroke: () => this.colour(COLOURS[i % COLOURS.length]), width: 1.5, spanGaps: false }))],
+      hooks: {
+        setSelect: [(chart) => (this.zoomed = chart.select.width > 0 || this.zoomed)],
+        setScale: [(chart, name) => name === "x" && chart === this.chart && this.see(chart.scales.x)],
+      },
     };
     this.chart = new uPlot(options, this.data, area);
+    this.seen = seen;
     zoomByTouch(this.chart, () => (this.zoomed = true));
     this.chart.over.addEventListener("dblclick", () => this.showAll());
     this.draw();
+  }
+
+  see({ min, max }) {
+    this.seen = { min, max };
+    Object.assign(this.find("plot-area").dataset, { from: min, to: max });
   }
 
   showAll() {
@@ -149,14 +191,14 @@ export class Plot {
   // What a mouse does by drawing, and by a double click.
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || !this.chart) return;
-    const { min, max } = this.chart.scales.x;
+    const { min, max } = this.seen;
     const part = (max - min) * KEY_PART;
     const moves = { "+": [part, -part], "-": [-part, part], ArrowLeft: [-part, -part], ArrowRight: [part, part] };
     const move = moves[event.key];
     if (event.key === "Home") this.showAll();
     else if (move) {
       this.zoomed = true;
-      this.chart.setScale("x", { min: min + move[0], max: max + move[1] });
+      this.seen = { min: min + move[0], max: max + move[1] };
       this.draw();
     } else return;
     event.preventDefault();
