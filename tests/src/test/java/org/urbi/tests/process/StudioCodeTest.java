@@ -2,54 +2,22 @@ package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.urbi.tests.process.StudioEditor.CONSOLE;
+import static org.urbi.tests.process.StudioEditor.EDITOR;
+import static org.urbi.tests.process.StudioEditor.in;
+import static org.urbi.tests.process.StudioEditor.press;
+import static org.urbi.tests.process.StudioEditor.text;
+import static org.urbi.tests.process.StudioEditor.write;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The studio's room of code, in a real browser. */
 class StudioCodeTest {
-  private static final String EDITOR = "#editor";
-  private static final String CONSOLE = "#console-line";
   private static final String LOG = StudioPage.text("#log");
   private static final String RUNS = StudioPage.text("#runs");
-
-  private static String in(String host, String selector) {
-    return "document.querySelector('" + host + "')?.shadowRoot?.querySelector('" + selector + "')";
-  }
-
-  private static String text(String host, String selector) {
-    return "return " + in(host, selector) + "?.textContent";
-  }
-
-  private static String press(String host, String key, boolean control) {
-    return press(host, key, control ? "ctrlKey" : "repeat");
-  }
-
-  private static String press(String host, String key, String with) {
-    return in(host, ".cm-content")
-        + ".dispatchEvent(new KeyboardEvent('keydown', {key: '"
-        + key
-        + "', "
-        + with
-        + ": true, bubbles: true, cancelable: true}));";
-  }
-
-  /** Puts a text in the place of all, from the clipboard. */
-  private static void write(Browser browser, String host, String text) throws IOException {
-    browser.evaluate(
-        in(host, ".cm-content")
-            + ".focus();"
-            + press(host, "a", true)
-            + "const data = new DataTransfer(); data.setData('text/plain', `"
-            + text
-            + "`);"
-            + in(host, ".cm-content")
-            + ".dispatchEvent(new ClipboardEvent('paste',"
-            + " {clipboardData: data, bubbles: true, cancelable: true}))");
-  }
 
   private static void run(Browser browser, String text) throws IOException {
     write(browser, EDITOR, text);
@@ -71,7 +39,6 @@ class StudioCodeTest {
       Accessibility.check(browser);
       completes(browser, CONSOLE);
       completes(browser, EDITOR);
-      editsFiles(browser, folder.resolve("program.u"));
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
     }
   }
@@ -132,6 +99,22 @@ class StudioCodeTest {
     browser.await("the value", LOG, text -> text.contains("> 6 * 700;") && text.contains("4200"));
     browser.evaluate(press(CONSOLE, "ArrowUp", false));
     assertEquals("6 * 700;", browser.evaluate(text(CONSOLE, ".cm-content")));
+    endsLines(browser);
+  }
+
+  /** What a program has written is seen at once, and apart from what is typed next. */
+  private static void endsLines(Browser browser) throws Exception {
+    run(browser, "lobby.write(\"half a \");");
+    String last = "return document.querySelector('#log').lastChild.textContent";
+    browser.await("what is not complete", last, "half a "::equals);
+    run(browser, "lobby.write(\"line\");");
+    browser.await("the rest of it, behind that", last, "half a line"::equals);
+    write(browser, CONSOLE, "8 * 700;");
+    browser.evaluate(press(CONSOLE, "Enter", false));
+    String lines =
+        "return [...document.querySelectorAll('#log div')].slice(-3)"
+            + ".map(line => line.textContent.replace(/\\[\\d+\\]/, '[]')).join('|')";
+    browser.await("three lines", lines, "half a line|> 8 * 700;|[] 5600"::equals);
   }
 
   private static void completes(Browser browser, String host) throws Exception {
@@ -157,22 +140,5 @@ class StudioCodeTest {
     write(browser, host, typed);
     browser.evaluate(press(host, " ", true));
     browser.await("what follows " + typed, offered, text -> text.contains(name));
-  }
-
-  private static void editsFiles(Browser browser, Path file) throws Exception {
-    String said = StudioPage.text("#file-state");
-    String list = "const list = document.querySelector('#files');";
-    browser.await("the files", StudioPage.text("#files"), text -> text.contains("program.u"));
-    browser.evaluate(list + "list.value = 'program.u'; list.dispatchEvent(new Event('change'))");
-    browser.await("that it is opened", said, "program.u is opened"::equals);
-    assertEquals("var Global.x = 0|;", browser.evaluate(text(EDITOR, ".cm-line")));
-    write(browser, EDITOR, "mine;");
-    browser.evaluate(press(EDITOR, "s", true));
-    browser.await("that it is saved", said, "program.u is saved"::equals);
-    assertEquals("mine;", Files.readString(file));
-    Files.writeString(file, "theirs;");
-    browser.evaluate("document.querySelector('#save-file').click()");
-    browser.await("that it is not", said, text -> text.contains("has been changed meanwhile"));
-    assertEquals("theirs;", Files.readString(file));
   }
 }

@@ -137,7 +137,7 @@ export class Room {
     if (text.trim() && this.studio.mayChange) {
       this.history.add(text);
       this.line.put("");
-      this.log.add(`> ${text}\n`);
+      this.log.typed(text);
       this.run("console", text);
     }
     return true;
