@@ -64,6 +64,9 @@ class StudioReactionsTest {
     assertEquals("false", browser.evaluate(alerted), "what is told beside the button is told once");
     browser.evaluate(StudioPage.type("#payload", "nobody") + submit);
     browser.await("what is wrong", result, text -> text.contains("lookup failed: nobody"));
+    browser.evaluate(StudioPage.type("#payload", "' + '1'.repeat(9000) + '") + submit);
+    browser.await(
+        "that it is too long", result, "payload: at most 8192 characters, not 9000"::equals);
     urbi.send("held.size + 100;\n");
     urbi.awaitText("101");
   }

@@ -160,16 +160,16 @@ sealed interface Request {
       case "steer" -> {
         Steering.Action action = Steering.Action.of(fields.text("action"));
         if (action == null) {
-          throw new BadRequest("action: stop, freeze, unfreeze, block or unblock expected");
+          throw fields.refusal("action: stop, freeze, unfreeze, block or unblock expected");
         }
         String kind = fields.text("kind");
         if (!kind.equals("job") && !kind.equals("tag")) {
-          throw new BadRequest("kind: job or tag expected");
+          throw fields.refusal("kind: job or tag expected");
         }
         yield new Steer(fields.number("id"), action, kind.equals("tag"), fields.number("target"));
       }
       default ->
-          throw new BadRequest(
+          throw fields.refusal(
               "type: interest, steer, reactions, emit, variables, plot, assign, show, run, stop,"
                   + " check, complete, files, open or save expected");
     };
@@ -242,6 +242,12 @@ sealed interface Request {
       };
     }
 
+    /** Whoever waits for an answer is given one; the number of a plot is not that of a question. */
+    BadRequest refusal(String reason) {
+      boolean plot = "plot".equals(values.get("type"));
+      return new BadRequest(reason, !plot && values.get("id") instanceof Long id ? id : null);
+    }
+
     String text(String name) throws BadRequest {
       return text(name, LONGEST_TEXT);
     }
@@ -252,10 +258,10 @@ sealed interface Request {
 
     private String text(String name, int longest) throws BadRequest {
       if (!(values.get(name) instanceof String text)) {
-        throw new BadRequest(name + ": a string expected");
+        throw refusal(name + ": a string expected");
       }
       if (text.length() > longest) {
-        throw new BadRequest(name + ": at most " + longest + " characters, not " + text.length());
+        throw refusal(name + ": at most " + longest + " characters, not " + text.length());
       }
       return text;
     }
@@ -269,13 +275,13 @@ sealed interface Request {
       if (values.get(name) instanceof Long number) {
         return number;
       }
-      throw new BadRequest(name + ": a whole number expected");
+      throw refusal(name + ": a whole number expected");
     }
 
     int integer(String name) throws BadRequest {
       long number = number(name);
       if (number != (int) number) {
-        throw new BadRequest(name + ": no such number: " + number);
+        throw refusal(name + ": no such number: " + number);
       }
       return (int) number;
     }
@@ -289,13 +295,13 @@ sealed interface Request {
       if (values.get(name) instanceof List<?> elements) {
         for (Object element : elements) {
           if (!(element instanceof String text)) {
-            throw new BadRequest(name + ": strings expected");
+            throw refusal(name + ": strings expected");
           }
           texts.add(text);
         }
         return texts;
       }
-      throw new BadRequest(name + ": a list of strings expected");
+      throw refusal(name + ": a list of strings expected");
     }
 
     List<Long> numbers(String name) throws BadRequest {
@@ -303,13 +309,13 @@ sealed interface Request {
       if (values.get(name) instanceof List<?> elements) {
         for (Object element : elements) {
           if (!(element instanceof Long number)) {
-            throw new BadRequest(name + ": whole numbers expected");
+            throw refusal(name + ": whole numbers expected");
           }
           numbers.add(number);
         }
         return numbers;
       }
-      throw new BadRequest(name + ": a list of whole numbers expected");
+      throw refusal(name + ": a list of whole numbers expected");
     }
   }
 }

@@ -178,7 +178,7 @@ final class Viewer extends StreamHandler {
       try {
         obey(channel, Request.read(text.text()));
       } catch (BadRequest e) {
-        send(channel, Answer.text("error", String.valueOf(e.getMessage())));
+        send(channel, e.answer());
       }
     } else {
       send(channel, Answer.text("error", "text expected"));

@@ -18,7 +18,8 @@ const PAGE = `
     <div class="bar">
       <h2 id="code-title">Code</h2>
       <button id="run-code" type="button" title="Ctrl-Enter: what is selected, or everything">Run</button>
-      <select id="files" aria-label="Open a file of the server"></select>
+      <select id="files" aria-label="Files of the server"></select>
+      <button id="open-file" type="button">Open</button>
       <input id="file-name" autocomplete="off" autocapitalize="off" spellcheck="false" placeholder="name.u" aria-label="Name of the file">
       <button id="save-file" type="button" title="Ctrl-S">Save</button>
       <span id="file-state" class="hint" role="status"></span>
@@ -57,8 +58,8 @@ export class Room {
       check: (text) => this.check(text),
       changed: (text) => keep(text),
     });
-    const [list, name, save, state] = ["files", "file-name", "save-file", "file-state"].map(this.find);
-    this.files = new Files(studio, { list, name, save, say: (text) => set(state, text) }, this.editor);
+    const [list, open, name, save, state] = ["files", "open-file", "file-name", "save-file", "file-state"].map(this.find);
+    this.files = new Files(studio, { list, open, name, save, say: (text) => set(state, text) }, this.editor, FIRST_TEXT);
     this.history = new LineHistory();
     this.line = new Editor(this.find("console-line"), {
       label: "console: a line of urbiscript",

@@ -1,23 +1,26 @@
 // The files of the server: listed, opened into the editor, saved from it.
+import { LONGEST } from "./editor.js";
 import { make } from "./elements.js";
 
 const KEPT = "file";
 
 export class Files {
-  constructor(studio, { list, name, save, say }, editor) {
-    Object.assign(this, { studio, list, name, save, say, editor });
+  // first: the text that the editor has for who has typed nothing yet.
+  constructor(studio, { list, open, name, save, say }, editor, first) {
+    Object.assign(this, { studio, list, opening: open, name, save, say, editor });
     // The file in the editor: its name, its version when it was opened or saved, and its text then.
-    this.file = kept();
+    this.file = kept(first);
     name.value = this.file.name;
     this.last = Promise.resolve();
-    list.addEventListener("change", () => this.open(list.value));
+    // Not when the list changes: an arrow key goes through it.
+    open.addEventListener("click", () => this.open(list.value));
     list.addEventListener("focus", () => this.renew());
     save.addEventListener("click", () => this.write());
   }
 
   welcome() {
     const none = !this.studio.mayChange;
-    for (const each of [this.list, this.name, this.save]) each.disabled = none;
+    for (const each of [this.list, this.opening, this.name, this.save]) each.disabled = none;
     if (!none) this.renew();
   }
 
@@ -33,17 +36,23 @@ export class Files {
     const names = files.join("\n");
     if (names === this.shown) return;
     this.shown = names;
-    const first = make("option", files.length ? "open a file…" : "no files", { value: "" });
+    const chosen = this.list.value;
+    const first = make("option", files.length ? "a file…" : "no files", { value: "" });
     this.list.replaceChildren(first, ...files.map((each) => make("option", each, { value: each })));
+    this.list.value = files.includes(chosen) ? chosen : "";
   }
 
   async open(name) {
-    this.list.value = "";
-    if (!name) return;
+    if (!name) {
+      this.say("choose a file first");
+      this.list.focus();
+      return;
+    }
     const text = this.editor.text();
-    if (this.file.name && text !== this.file.text && this.losing !== name) {
-      this.losing = name;
-      this.say(`${this.file.name} is not saved: save it, or choose ${name} again to lose what was typed`);
+    const lost = `${name}\n${text}`;
+    if (text.trim() && text !== this.file.text && this.losing !== lost) {
+      this.losing = lost;
+      this.say(`${this.file.name || "what was typed"} is not saved: save it, or open ${name} again to lose it`);
       return;
     }
     this.losing = "";
@@ -61,6 +70,12 @@ export class Files {
   async write() {
     const name = this.name.value.trim();
     const text = this.editor.text();
+    if (!name) this.name.focus();
+    if (text.length > LONGEST) {
+      const [most, now] = [LONGEST, text.length].map((count) => count.toLocaleString("en"));
+      this.say(`at most ${most} characters can be saved, not ${now}`);
+      return;
+    }
     const version = name === this.file.name ? this.file.version : "";
     const answer = await this.ask({ type: "save", name, text, version });
     if (answer.error) {
@@ -85,11 +100,11 @@ export class Files {
 }
 
 // What the browser has kept may be anything.
-function kept() {
+function kept(first) {
   try {
     const { name, version, text } = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
-    return { name: name ?? "", version: version ?? "", text: text ?? "" };
+    return { name: name ?? "", version: version ?? "", text: text ?? first };
   } catch {
-    return { name: "", version: "", text: "" };
+    return { name: "", version: "", text: first };
   }
 }

@@ -192,6 +192,7 @@ class StudioServerTest {
               List.of("{\"type\":\"variables\",\"objects\":[1]}", "objects: strings expected"),
               List.of("{\"type\":\"variables\",\"objects\":1}", "objects: a list of strings"),
               List.of("{\"type\":\"plot\",\"ways\":[\"Global\"]}", "id: a whole number"),
+              List.of("{\"type\":\"plot\",\"id\":1,\"ways\":[1]}", "ways: strings expected"),
               List.of("{\"type\":\"assign\",\"id\":1,\"way\":\"x\"}", "value: a string expected"),
               List.of("{\"type\":\"show\",\"id\":1}", "way: a string expected"),
               List.of("{\"type\":\"run\",\"id\":1,\"file\":\"x\"}", "code: a string expected"),
@@ -208,9 +209,12 @@ class StudioServerTest {
               List.of("{\"a\":" + "9".repeat(100) + "}", "no JSON: "),
               List.of("{\"type\":\"interest\"} {}", "one JSON object expected"));
       for (List<String> mistake : mistakes) {
-        page.send(mistake.getFirst());
-        String error = page.await("\"error\",");
-        assertTrue(error.contains(mistake.getLast()), mistake.getFirst() + " -> " + error);
+        String request = mistake.getFirst();
+        page.send(request);
+        // Who waits for the answer to a question is not left waiting; a plot is none.
+        boolean awaited = request.contains("\"id\":1") && !request.contains("plot");
+        String error = page.await(awaited ? "{\"type\":\"done\",\"id\":1," : "\"error\",");
+        assertTrue(error.contains(mistake.getLast()), request + " -> " + error);
       }
       page.send(
           "{\"type\":\"steer\",\"id\":7,\"action\":\"stop\",\"kind\":\"job\",\"target\":99999}");
@@ -326,7 +330,7 @@ class StudioServerTest {
       String bomb = page.await("\"id\":3");
       assertTrue(bomb.contains("syntax error") || bomb.contains("too much to be checked"), bomb);
       page.send(code("run", 4, "x".repeat(Request.LONGEST_CODE + 1)));
-      assertTrue(page.await("\"error\",").contains("code: at most 131072 characters"));
+      assertTrue(page.await("\"id\":4").contains("code: at most 131072 characters"));
       page.send("{\"type\":\"complete\",\"id\":5,\"text\":\"Mutex.unloc\"}");
       assertTrue(
           page.await("\"id\":5").contains("\"proposals\":[{\"name\":\"unlock\",\"signature\""));
@@ -372,6 +376,12 @@ class StudioServerTest {
       assertTrue(other.await("\"id\":3,").contains("walk.u has been changed meanwhile"));
       page.send("{\"type\":\"open\",\"id\":4,\"name\":\"../x.u\"}");
       assertTrue(page.await("\"id\":4,").contains("only files below the directory"));
+      String rest =
+          "\",\"version\":\"\",\"text\":\"" + "x".repeat(Request.LONGEST_CODE + 1) + "\"}";
+      page.send("{\"type\":\"save\",\"id\":5,\"name\":\"long.u" + rest);
+      assertTrue(page.await("\"id\":5,").contains("text: at most 131072 characters, not 131073"));
+      page.send("{\"type\":\"files\",\"id\":6}");
+      assertTrue(page.await("\"id\":6,").contains("\"files\":[\"walk.u\"]"));
     }
   }
 

@@ -197,6 +197,9 @@ public final class SourceFiles {
 
   /** Where a file is: below the directory, also when links are followed, and no link itself. */
   private Path place(String name) throws IOException, FileRefused {
+    if (name.isBlank()) {
+      throw new FileRefused("give the file a name that ends in " + SUFFIX);
+    }
     try {
       Path root = folder.toRealPath();
       Path path = root.resolve(name).normalize();

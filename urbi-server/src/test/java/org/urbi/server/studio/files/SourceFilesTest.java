@@ -103,6 +103,7 @@ class SourceFilesTest {
       assertThrows(FileRefused.class, () -> files.save(name, "mine", ""), name);
     }
     assertEquals("secret", Files.readString(secret));
+    refused("give the file a name that ends in .u", () -> files.save(" ", "mine", ""));
   }
 
   @Test
