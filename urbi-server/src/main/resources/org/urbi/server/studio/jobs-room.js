@@ -210,7 +210,7 @@ export class Room {
     this.lanes.draw();
     this.tellTime();
     this.side.showJob(this.selected, this.detail);
-    this.side.showTags();
+    this.side.showTags(this.list.words);
     this.find("empty").hidden = this.list.lines.length > 0 || !this.jobs.machine;
     // bench/studio asks when there was something to see, in milliseconds after somebody has gone to the page.
     if (this.list.lines.length) this.find("list").dataset.since ??= Math.round(performance.now());

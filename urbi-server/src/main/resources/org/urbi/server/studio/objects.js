@@ -1,6 +1,8 @@
 // What is known of the objects that are open, put together from what has changed. A way leads to an object or a slot: the name
 // of a lobby, or Global, then a line for each step: ".x" for the slot x, ":0" for the first prototype.
 const MOST_LINES = 3000;
+// How many objects the server tells of at a time.
+const MOST_OBJECTS = 32;
 const FORGET_RATE = 3000;
 
 export const shownWay = (way) =>
@@ -9,6 +11,8 @@ export const shownWay = (way) =>
 export class Objects {
   constructor() {
     this.open = new Set(["Global"]);
+    // Those that are open, and of which the server does not tell.
+    this.left = new Set();
     this.clear();
   }
 
@@ -47,8 +51,19 @@ export class Objects {
     return last < 0 ? undefined : this.objects.get(way.slice(0, last))?.slots.get(way.slice(last + 2));
   }
 
+  // What the server is asked for: the object around the selected slot, which is told of also when that object has been
+  // closed, and those that are open and in sight, as many as there is room for.
+  wanted(selected, text) {
+    const end = selected?.lastIndexOf("\n") ?? -1;
+    const around = end > 0 && selected[end + 1] !== "?" ? [selected.slice(0, end)] : [];
+    const open = this.lines(text, new Set()).filter((line) => line.opens && this.open.has(line.way));
+    const ways = [...new Set([...around, ...open.map((line) => line.way)])];
+    this.left = new Set(ways.splice(MOST_OBJECTS));
+    return ways;
+  }
+
   // The lines of the tree, with those slots that contain a text, and all objects that are open.
-  lines(text) {
+  lines(text, left = this.left) {
     const lines = [];
     const wanted = text.toLowerCase();
     const add = (line) => {
@@ -57,6 +72,9 @@ export class Objects {
     };
     const below = (way, level) => {
       const object = this.objects.get(way);
+      if (left.has(way)) {
+        return void lines.push({ way: `${way}\n?`, name: `not shown: close others, at most ${MOST_OBJECTS} are open at a time`, level });
+      }
       if (!object) return;
       if (!object.found) return void lines.push({ way: `${way}\n?`, name: "no longer there", level });
       const slots = [...object.slots.values()].sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));

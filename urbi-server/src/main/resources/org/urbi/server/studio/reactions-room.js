@@ -24,6 +24,7 @@ const PAGE = `
   <aside>
     <section class="card" aria-labelledby="events-title">
       <h2 id="events-title">Events</h2>
+      <p id="event-total" class="hint" role="status"></p>
       <ul id="event-list" aria-labelledby="events-title"></ul>
       <p id="no-events" class="hint" hidden>There is no event in a lobby, in Global, or in an object there, and none that is waited for.</p>
     </section>
@@ -36,6 +37,8 @@ const PAGE = `
       <p id="emission-result" class="hint" role="status"></p>
     </form>
   </aside>`;
+
+const cut = (shown, all) => (shown < all ? `${shown.toLocaleString("en")} of ${all.toLocaleString("en")}: the filter finds the others` : "");
 
 export class Room {
   constructor(studio, host) {
@@ -129,8 +132,8 @@ export class Room {
     this.lines.show(rows);
     const events = [...this.events.values()].sort((a, b) => a.name.localeCompare(b.name) || a.number - b.number);
     this.eventItems.show(events);
-    const { reactions } = this.total;
-    this.find("reaction-total").textContent = rows.length < reactions ? `${rows.length} of ${reactions}` : "";
+    set(this.find("reaction-total"), cut(rows.length, this.total.reactions));
+    set(this.find("event-total"), cut(events.length, this.total.events));
     this.find("no-reactions").hidden = rows.length > 0 || Boolean(this.text);
     this.find("no-events").hidden = events.length > 0 || Boolean(this.text);
     const chosen = this.events.get(this.chosen);

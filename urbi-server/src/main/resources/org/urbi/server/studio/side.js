@@ -70,14 +70,20 @@ export class Side {
     return item;
   }
 
-  showTags() {
+  // words: what the filter of the jobs wants. Of very many tags, those that it names come first.
+  showTags(words) {
     const count = new Map();
     for (const job of this.jobs.rows.values()) {
       if (!job.ended) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
     }
-    const all = [...this.jobs.tags.values()].sort((a, b) => a.number - b.number);
+    let all = [...this.jobs.tags.values()].sort((a, b) => a.number - b.number);
+    if (all.length > MOST_TAGS && words.length) {
+      const named = ({ name }) => words.every((word) => name.toLowerCase().includes(word));
+      all = [...all.filter(named), ...all.filter((tag) => !named(tag))];
+    }
     const shown = all.slice(0, MOST_TAGS).map((tag) => ({ ...tag, jobs: count.get(tag.number) ?? 0 }));
-    if (all.length > MOST_TAGS) shown.push({ number: "more", hint: `and ${all.length - MOST_TAGS} more` });
+    const left = all.length - shown.length;
+    if (left) shown.push({ number: "more", hint: `and ${left.toLocaleString("en")} more: the filter brings up those that it names` });
     this.tagItems.show(shown.length ? shown : [{ number: "none", hint: "No code is under a tag." }]);
   }
 

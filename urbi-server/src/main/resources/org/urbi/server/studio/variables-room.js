@@ -6,6 +6,7 @@ import { Recording } from "./recording.js";
 import { Slot } from "./slot.js";
 
 const INDENT = 0.9;
+const ASK_AFTER = 100;
 
 const PAGE = `
   <div class="stack">
@@ -71,6 +72,7 @@ export class Room {
 
   hide() {
     this.shown = false;
+    clearTimeout(this.asking);
     this.studio.send({ type: "variables" });
     this.plot.rest();
   }
@@ -82,12 +84,20 @@ export class Room {
     this.draw();
   }
 
+  wanted() {
+    return JSON.stringify(this.objects.wanted(this.selected, this.text));
+  }
+
   ask() {
-    const objects = [...this.objects.open];
-    // The slot that is shown must be told of, although the object around it has been closed.
-    const around = this.selected?.slice(0, this.selected.lastIndexOf("\n"));
-    if (around && !objects.includes(around)) objects.push(around);
-    this.studio.send({ type: "variables", objects });
+    clearTimeout(this.asking);
+    this.asked = this.wanted();
+    this.studio.send({ type: "variables", objects: JSON.parse(this.asked) });
+  }
+
+  // Who holds an arrow key goes through more slots than a server should be asked about.
+  soon() {
+    clearTimeout(this.asking);
+    this.asking = setTimeout(() => this.ask(), ASK_AFTER);
   }
 
   take(message) {
@@ -95,7 +105,10 @@ export class Room {
     if (message.type === "sample" && this.shown) this.plot.take(message);
     if (message.type !== "view" || !message.variables) return;
     this.objects.take(message.variables, message.time);
-    if (this.shown) this.draw();
+    if (!this.shown) return;
+    // Objects come and go by themselves.
+    if (this.wanted() !== this.asked) this.soon();
+    this.draw();
   }
 
   draw() {
@@ -108,7 +121,7 @@ export class Room {
   }
 
   newLine(line) {
-    const row = make("div", "", { className: "line" });
+    const row = make("div", "", { className: line.slot || line.opens ? "line" : "line remark" });
     row.role = "treeitem";
     row.dataset.way = line.way;
     row.id = `variable-${encodeURIComponent(line.way)}`;
@@ -152,7 +165,7 @@ export class Room {
 
   select(way) {
     this.selected = way;
-    this.ask();
+    this.soon();
     this.draw();
   }
 
@@ -168,7 +181,7 @@ export class Room {
     } else if (event.key === "ArrowRight" && line?.opens && !this.objects.open.has(line.way)) this.toggle(line.way);
     else if (event.key === "ArrowLeft" && line && this.objects.open.has(line.way)) this.toggle(line.way);
     else if (event.key === "Enter" && line?.slot) this.slot.edit();
-    else if (event.key === "p" && line?.slot) this.slot.togglePlot();
+    else if (event.key === "p" && line?.slot && !event.repeat) this.slot.togglePlot();
     else return;
     event.preventDefault();
   }
