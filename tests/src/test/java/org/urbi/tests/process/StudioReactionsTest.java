@@ -43,6 +43,7 @@ class StudioReactionsTest {
       assertEquals("x", browser.evaluate(cell("whenever (x > 50)", 1)));
       emits(browser, page.urbi());
       Accessibility.check(browser);
+      readsOnATelephone(browser);
       filters(browser);
       goesToAnotherRoom(browser, page.urbi());
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
@@ -69,6 +70,19 @@ class StudioReactionsTest {
         "that it is too long", result, "payload: at most 8192 characters, not 9000"::equals);
     urbi.send("held.size + 100;\n");
     urbi.awaitText("101");
+  }
+
+  /** What a condition has read has no column there, and is below the code. */
+  private static void readsOnATelephone(Browser browser) throws Exception {
+    browser.becomeTelephone();
+    String read = row("at (x > 5)") + ".querySelector('.reads')";
+    String seen = "return %s.checkVisibility() && %s.textContent".formatted(read, read);
+    browser.await("what it has read", seen, "has read x"::equals);
+    assertEquals("", browser.evaluate(StudioTest.CUT));
+    assertEquals("", browser.evaluate(StudioTest.TOO_SMALL));
+    Accessibility.check(browser);
+    browser.becomeUsual();
+    browser.await("the column", seen, "false"::equals);
   }
 
   private static void filters(Browser browser) throws Exception {

@@ -2,6 +2,8 @@ package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.urbi.tests.process.StudioPage.line;
+import static org.urbi.tests.process.StudioPage.value;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -13,28 +15,19 @@ import org.junit.jupiter.api.io.TempDir;
 class StudioVariablesTest {
   private static final String PROGRAM =
       """
-      class Global.Motor : UObject { function init() { UVar.new(this, "speed") } }|;
+      class Global.Motor : UObject {
+        function init() { UVar.new(this, "speed")| UVar.new(this, "beat") }
+      }|;
       var Global.motor = Motor.new|;
-      motor.speed = 0|;
+      motor.speed = 0| motor.beat = 0|;
       var motor.orientation = 0|;
       motor.speed->rangemin = -10|; motor.speed->rangemax = 10|;
       var Global.x = 0|; var Global.y = 100|;
       var Global.image = Binary.new("rgb 2 1", "\\xff\\x00\\x00\\x00\\xff\\x00")|;
       var Global.sound = Binary.new("wav", "RIFF")|;
       at (motor.speed > 5) echo("fast");
-      counting: every (20ms) { Global.x = (x + 1) % 50 },
+      counting: every (20ms) { Global.x = (x + 1) % 50| motor.beat = x },
       """;
-
-  /** The line of the slot at the end of a way whose steps are separated by blanks. */
-  private static String line(String way) {
-    return "[...document.querySelectorAll('.line')].find(line => line.dataset.way === '"
-        + way.replace(" ", "\\n")
-        + "')";
-  }
-
-  private static String value(String way) {
-    return "return " + line(way) + "?.querySelector('.value').textContent";
-  }
 
   private static String facts() {
     return StudioPage.text("#slot-list");
@@ -48,6 +41,7 @@ class StudioVariablesTest {
       browser.evaluate(line("Global .motor") + ".querySelector('.twisty').click()");
       browser.await("a slot of an object", value("Global .motor .speed"), "0"::equals);
       readsNames(browser);
+      readsOnATelephone(browser);
       assigns(browser, page.urbi());
       slides(browser, page.urbi());
       plots(browser);
@@ -69,6 +63,24 @@ class StudioVariablesTest {
             + ".filter(({scrollWidth, clientWidth}) => scrollWidth > clientWidth)"
             + ".map((name) => name.textContent).join()";
     browser.await("whole names", cut, ""::equals);
+    browser.becomeUsual();
+  }
+
+  /** How often and when a UVar was written has no column there, and is below its value. */
+  private static void readsOnATelephone(Browser browser) throws Exception {
+    browser.becomeTelephone();
+    String cell = line("Global .motor .beat") + "?.children[%d]";
+    String rate = cell.formatted(2);
+    browser.await("its rate", "return " + rate + ".textContent", text -> !text.isEmpty());
+    assertEquals("now", browser.evaluate("return " + cell.formatted(3) + ".textContent"));
+    String seen =
+        "return [%s, %s].every(cell => cell.checkVisibility() && cell.offsetHeight > 0)"
+            .formatted(rate, cell.formatted(3));
+    assertEquals("true", browser.evaluate(seen));
+    String unit = "return getComputedStyle(%s, '::after').content".formatted(rate);
+    assertEquals("\\\" per s\\\"", browser.evaluate(unit));
+    assertEquals("", browser.evaluate(StudioTest.CUT));
+    assertEquals("", browser.evaluate(StudioTest.TOO_SMALL));
     browser.becomeUsual();
   }
 

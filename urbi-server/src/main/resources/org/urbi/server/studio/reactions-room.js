@@ -145,7 +145,7 @@ export class Room {
   newRow() {
     const line = make("tr");
     const what = make("th", "", { scope: "row" });
-    what.append(make("span", "", { className: "code" }), make("span", "", { className: "place" }));
+    what.append(make("span", "", { className: "code" }), make("span", "", { className: "place" }), make("span", "", { className: "reads" }));
     line.append(what, make("td"), make("td", "", { className: "number" }), make("td", "", { className: "number" }));
     return line;
   }
@@ -156,7 +156,10 @@ export class Room {
     const state = row.frozen ? " · frozen" : "";
     set(what.children[0], row.code || row.kind);
     set(what.children[1], [row.place, row.lobby, ...tags].filter((part) => part).join(" · ") + state);
-    set(read, row.read.join(", "));
+    const names = row.read.join(", ");
+    set(read, names);
+    // Where there is no room for that column.
+    set(what.children[2], names && `has read ${names}`);
     set(times, row.times.toLocaleString("en"));
     set(last, ago(row.last, this.now));
     line.classList.toggle("frozen", row.frozen);
