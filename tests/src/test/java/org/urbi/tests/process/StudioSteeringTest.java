@@ -67,10 +67,11 @@ class StudioSteeringTest {
         "const order = document.querySelector('#order'); order.value = '%s';"
             + "order.dispatchEvent(new Event('change'));";
     browser.evaluate(order.formatted("share"));
-    String first = "return " + StudioPage.row("busy") + "?.getAttribute('aria-posinset')";
-    browser.await("the busiest first", first, "1"::equals);
+    String place = "const row = %s; return row?.ariaLevel + ' ' + row?.ariaPosInSet";
+    String busy = place.formatted(StudioPage.row("busy"));
+    browser.await("the busiest first, below nothing", busy, "1 1"::equals);
     browser.evaluate(order.formatted("tree"));
-    browser.await("the lobby first", first, place -> !place.equals("1"));
+    browser.await("who has started it above", busy, now -> !now.startsWith("1 "));
   }
 
   /** Some turn in the lane of the job that waits for the event tells which job has emitted it. */
