@@ -83,11 +83,10 @@ export class Lanes {
     if (!job) return "";
     const time = this.at(x);
     const track = jobs.tracks.get(line.key);
-    const turns = track?.turns() ?? [];
-    const away = (turn) => Math.max(turn.begin - time, time - turn.end, 0);
-    const turn = turns.reduce((best, each) => (best && away(best) <= away(each) ? best : each), null);
+    const turn = track?.near(time);
     const name = `${job.name}: `;
-    if (turn && away(turn) <= (NEAR * this.span) / this.canvas.clientWidth) return name + this.ran(turn, line.key);
+    const away = turn ? Math.max(turn.begin - time, time - turn.end) : Infinity;
+    if (away <= (NEAR * this.span) / this.canvas.clientWidth) return name + this.ran(turn, line.key);
     if (time >= jobs.endOf(line.key)) return `${name}has ended`;
     const tail = jobs.tail(line.key);
     const last = track?.last();

@@ -24,6 +24,14 @@ export class Track {
     return this.all.at(-1);
   }
 
+  // The turn that is the nearest to a time.
+  near(time) {
+    const away = (turn) => Math.max(turn.begin - time, time - turn.end, 0);
+    const at = this.all.findLastIndex((each) => each.begin <= time);
+    const around = this.all.slice(Math.max(0, at - 1), at + 3).filter((each) => !each.hole);
+    return around.sort((a, b) => away(a) - away(b))[0];
+  }
+
   turn(turn) {
     this.all.push(turn);
     this.until = Math.max(this.until, turn.end);
