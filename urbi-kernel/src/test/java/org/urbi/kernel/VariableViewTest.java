@@ -62,6 +62,24 @@ class VariableViewTest {
     assertFalse(owner.lookAt("").object.found());
   }
 
+  /** Who took what is shown of a list for all of it would round its numbers, and lose objects. */
+  @Test
+  void whatIsNotAllOfAnElementIsTold() {
+    program.say(
+        """
+        var Global.pi = 3.14159265358979|; var Global.half = [0.5, -1e-06, 1e20, inf, nan]|;
+        var Global.angles = [3.14159265358979, (1234567.89, 2)]|;
+        var Global.crew = [Object.new, Event.new, ["a" => 1], true, nil, "text"]|;
+        """);
+    SlotRow pi = owner.slot("Global", "pi");
+    assertEquals("3.14159", pi.value());
+    assertEquals(3.14159265358979, pi.number());
+    assertEquals("[0.5, -1e-06, 1e+20, inf, nan]", owner.slot("Global", "half").value());
+    assertEquals("[3.14159…, (1.23457e+06…, 2)]", owner.slot("Global", "angles").value());
+    assertEquals(
+        "[Object…, Event…, [1 entry]…, true, nil, \"text\"]", owner.slot("Global", "crew").value());
+  }
+
   @Test
   void onlyChangesAreTold() {
     program.say("var Global.x = 1|; var Global.y = 2|;");

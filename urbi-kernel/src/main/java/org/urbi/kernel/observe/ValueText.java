@@ -15,7 +15,10 @@ import org.urbi.kernel.object.Values;
 import org.urbi.lang.print.FloatFormat;
 import org.urbi.lang.print.StringEscape;
 
-/** Shows values in one line, without calling a function of urbiscript. */
+/**
+ * Shows values in one line, without calling a function of urbiscript. What cannot be read back as
+ * the same value, because it is only a part of it, has an ellipsis.
+ */
 final class ValueText {
   private static final int LONGEST = 100;
   private static final int MOST_ELEMENTS = 8;
@@ -62,12 +65,32 @@ final class ValueText {
     StringBuilder text = new StringBuilder(opening);
     int shown = depth < DEEPEST ? Math.min(elements.size(), MOST_ELEMENTS) : 0;
     for (int i = 0; i < shown; i++) {
-      text.append(i == 0 ? "" : ", ").append(of(elements.get(i), depth + 1));
+      UrbiObject element = elements.get(i);
+      String shownElement = of(element, depth + 1);
+      text.append(i == 0 ? "" : ", ").append(shownElement);
+      if (!isWhole(element, shownElement)) {
+        text.append('…');
+      }
     }
     if (shown < elements.size()) {
       text.append(shown == 0 ? "" : ", ").append('…');
     }
     return text.append(closing).toString();
+  }
+
+  /** Not of a number that is rounded, or of an object of which there is the name of its type. */
+  private static boolean isWhole(UrbiObject element, String text) {
+    if (element instanceof UrbiFloat number) {
+      return !Double.isFinite(number.value()) || Double.parseDouble(text) == number.value();
+    }
+    Values values = element.world().values();
+    return element instanceof UrbiString
+        || element instanceof UrbiList
+        || element instanceof UrbiTuple
+        || element == values.nil
+        || element == values.voidObject
+        || element == values.trueObject
+        || element == values.falseObject;
   }
 
   /** The name of the type of a value. */

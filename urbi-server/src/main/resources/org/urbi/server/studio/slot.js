@@ -41,6 +41,7 @@ export class Slot {
 
   show(way, slot, objects) {
     const other = way !== this.way;
+    if (other) this.settle();
     this.way = way;
     this.slot = slot;
     this.find("slot-hint").hidden = Boolean(slot);
@@ -53,21 +54,23 @@ export class Slot {
       this.find("slot-media").replaceChildren();
     }
     if (!slot) return;
-    this.showValue(slot);
+    this.showValue(slot, other);
     this.showFacts(slot, objects);
     this.showMedia(slot);
   }
 
-  showValue(slot) {
+  showValue(slot, other) {
     const typed = slot.number !== null || TYPED.includes(slot.type);
     const may = this.studio.mayChange && !slot.constant && typed;
     const field = this.find("slot-value");
     field.disabled = this.find("slot-set").disabled = !may;
     set(this.find("slot-label"), typed ? "value, in urbiscript" : `${slot.type}: cannot be typed here, code can change it`);
-    // Of a long value there is only the beginning, which would be all if it were set.
+    // What is only a part of the value would be all of it if it were set.
     const whole = typed && !slot.value.includes("…");
+    const exact = slot.number === null ? slot.value : String(slot.number);
     field.placeholder = whole ? "" : slot.value || slot.type;
-    if (!this.dirty && document.activeElement !== field) field.value = whole ? slot.value : "";
+    const typing = this.dirty || document.activeElement === field;
+    if (other || !typing) field.value = whole ? exact : "";
     const range = this.find("slot-range");
     range.hidden = slot.number === null || slot.least === null || slot.most === null;
     if (!range.hidden) {
@@ -76,7 +79,9 @@ export class Slot {
       slider.min = slot.least;
       slider.max = slot.most;
       slider.step = (slot.most - slot.least) / STEPS || 1;
-      if (!this.sliding) slider.value = slot.number;
+      // Whoever has a hand on it is not to be hindered by a motor that lags behind.
+      const held = this.position || slider.matches(":active, :focus");
+      if (other || !held) slider.value = slot.number;
       set(range.firstElementChild, String(slot.least));
       set(range.lastElementChild, String(slot.most));
     }
@@ -127,22 +132,27 @@ export class Slot {
     this.find("slot-plot").setAttribute("aria-pressed", this.plot.has(this.way));
   }
 
-  // Not more often than a server should be asked; the last position counts.
+  // Not more often than a server should be asked; the last position counts, and is for the slot that was selected then.
   slide() {
-    if (this.sliding) return;
-    this.sliding = setTimeout(() => {
-      this.sliding = 0;
-      this.assign(this.find("slot-slider").value);
-    }, SLIDE_MILLISECONDS);
+    this.position = { way: this.way, value: this.find("slot-slider").value };
+    this.sliding ??= setTimeout(() => this.settle(), SLIDE_MILLISECONDS);
   }
 
-  async assign(value) {
-    const { way } = this;
+  settle() {
+    const { position } = this;
+    clearTimeout(this.sliding);
+    this.sliding = this.position = null;
+    if (position) this.assign(position.value, position.way);
+  }
+
+  async assign(value, way = this.way) {
     const { error } = await this.studio.ask({ type: "assign", way, value }, { quiet: true });
     if (way !== this.way) {
       if (error) this.studio.alert(error);
       return;
     }
+    // The slider is where somebody has left it: what was refused must not seem to be there.
+    if (error && this.slot && this.slot.number !== null) this.find("slot-slider").value = this.slot.number;
     set(this.find("slot-result"), error || "It was assigned.");
     this.find("slot-result").classList.toggle("bad", Boolean(error));
   }
