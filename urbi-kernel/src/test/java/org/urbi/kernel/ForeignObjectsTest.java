@@ -156,6 +156,7 @@ class ForeignObjectsTest {
     user.say("for (var s : started.subscribers) try { s.disconnect } catch {};");
     user.say("for (var s : Subscription.getAll) try { s.disconnect } catch {};");
     user.say("for (var s : started.subscribers) try { s.enabled = false } catch {};");
+    user.say("for (var s : started.subscribers) try { Event.new.subscribe(s) } catch {};");
     owner.say("started!; robot.speed = 42; sleep(1s);");
     assertEquals("11", owner.say("robot.beats;"));
     assertEquals("42", owner.say("robot.copy;"));

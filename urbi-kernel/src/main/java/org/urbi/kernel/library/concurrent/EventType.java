@@ -15,6 +15,7 @@ import org.urbi.kernel.event.UrbiSubscription;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -115,6 +116,7 @@ public final class EventType {
 
   @Builtin(doc = "Has a subscription listen to this event; returns it.")
   static UrbiObject subscribe(Frame frame, UrbiEvent self, UrbiSubscription subscription) {
+    PermissionCheck.checkChange(frame, "subscribe", subscription);
     if (!subscription.canListen()) {
       throw frame
           .interpreter()
