@@ -87,7 +87,7 @@ final class Connections {
         name,
         kernel.scheduler(),
         kernel.uobjects(),
-        failure -> ErrorText.describe(kernel.interpreter(), failure),
+        failure -> ErrorText.ofRequest(kernel.interpreter(), failure),
         answers,
         wire);
   }

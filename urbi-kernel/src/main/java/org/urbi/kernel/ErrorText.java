@@ -13,6 +13,7 @@ import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.Defects;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -57,14 +58,18 @@ final class ErrorText {
     }
   }
 
-  /** What went wrong, for people; in a job. */
-  static String describe(Interpreter interpreter, RuntimeException failure) {
-    if (failure instanceof UrbiException thrown) {
-      Job job = requireNonNull(interpreter.scheduler().running(), "asked in a job");
-      return interpreter.asString(
-          Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
-    }
-    return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+  /** What a remote process is told whose request has failed; in a job. A bug of ours is logged. */
+  static String ofRequest(Interpreter interpreter, RuntimeException failure) {
+    return failure instanceof UrbiException thrown
+        ? describe(interpreter, thrown)
+        : Defects.text("a request of a remote process", failure);
+  }
+
+  /** What code has thrown, for people; in a job. */
+  static String describe(Interpreter interpreter, UrbiException thrown) {
+    Job job = requireNonNull(interpreter.scheduler().running(), "asked in a job");
+    return interpreter.asString(
+        Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
   }
 
   /**

@@ -77,7 +77,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   /**
    * @param number of the receiver of its messages
    * @param name of the process, for people
-   * @param describe gives the text of a failure; called in a job
+   * @param describe gives the text of a failure, and logs a bug of ours; called in a job
    * @param reading polls for answers on the kernel thread
    */
   public RemotePeer(

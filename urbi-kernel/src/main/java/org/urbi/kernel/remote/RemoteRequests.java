@@ -17,7 +17,7 @@ final class RemoteRequests {
   private final Function<RuntimeException, String> describe;
 
   /**
-   * @param describe gives the text of a failure; called in a job
+   * @param describe gives the text of a failure, and logs a bug of ours; called in a job
    */
   RemoteRequests(RemotePeer peer, Function<RuntimeException, String> describe) {
     this.peer = peer;
@@ -142,12 +142,15 @@ final class RemoteRequests {
         UValue answer = question.get();
         peer.write(o -> o.begin(Frame.REPLY).size(number).value(answer).end());
       } catch (RuntimeException e) {
-        String reason = describe.apply(e);
-        peer.write(o -> o.begin(Frame.REFUSAL).size(number).text(reason).end());
+        refuse(number, describe.apply(e));
       } catch (Error e) {
         FailureLog.internal("an answer to a remote process", e);
-        peer.write(o -> o.begin(Frame.REFUSAL).size(number).text(FailureLog.text(e)).end());
+        refuse(number, FailureLog.text(e));
       }
     };
+  }
+
+  private void refuse(int number, String reason) {
+    peer.write(o -> o.begin(Frame.REFUSAL).size(number).text(reason).end());
   }
 }
