@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
+import urbi.Log;
 import urbi.ServerConnection;
 import urbi.TokenLine;
 import urbi.UClientException;
@@ -113,7 +114,9 @@ public final class IsolatedProgram {
     } catch (UModuleException e) {
       problem = String.valueOf(e.getMessage());
     } catch (Throwable e) {
-      problem = "exception caught while starting " + file.getFileName() + ": " + Failure.text(e);
+      String what = "exception caught while starting " + file.getFileName();
+      Log.error(what, e);
+      problem = what + ": " + Failure.text(e);
     }
     tell(context, problem);
   }

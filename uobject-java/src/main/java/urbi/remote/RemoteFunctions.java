@@ -135,6 +135,7 @@ final class RemoteFunctions {
     } catch (UClientException e) {
       throw e;
     } catch (RuntimeException e) {
+      failureLog.log("the result of a function", e);
       error(number, Failure.text(e));
     }
   }

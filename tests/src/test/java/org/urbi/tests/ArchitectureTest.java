@@ -65,6 +65,8 @@ class ArchitectureTest {
 
   @ArchTest static final ArchTests makersOfThreads = ArchTests.in(ThreadLaw.class);
 
+  @ArchTest static final ArchTests endOfFailures = ArchTests.in(CatchLaw.class);
+
   private static ArchRule dependsOnlyOn(String packageName, String... others) {
     return classes()
         .that()

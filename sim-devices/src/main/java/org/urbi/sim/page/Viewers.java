@@ -17,6 +17,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.urbi.sim.vision.ImageCoder;
+import urbi.Log;
+import urbi.UConversionException;
 import urbi.UImage;
 import urbi.UImageFormat;
 
@@ -39,6 +41,9 @@ final class Viewers {
   private @Nullable String moment;
   private byte @Nullable [] image;
   private long imageNumber;
+
+  /** The last failure that has been logged. */
+  private @Nullable String logged;
 
   Viewers(EventExecutor thread, String setting) {
     this.thread = thread;
@@ -159,8 +164,21 @@ final class Viewers {
       return image;
     } catch (RuntimeException e) {
       // An image of a variable may be anything; whoever looks is told, and the page goes on.
+      logDefect(e);
       viewers.writeAndFlush(told("trouble", "no image: " + String.valueOf(e.getMessage())));
       return null;
+    }
+  }
+
+  /** Thirty images a second may meet the same bug, which is logged once. */
+  private void logDefect(RuntimeException failure) {
+    boolean isOfTheImage =
+        failure instanceof IllegalArgumentException
+            || failure instanceof IllegalStateException
+            || failure instanceof UConversionException;
+    if (!isOfTheImage && !failure.toString().equals(logged)) {
+      logged = failure.toString();
+      Log.error("internal error in the coding of an image for browsers", failure);
     }
   }
 

@@ -31,13 +31,24 @@ public final class Defects {
   }
 
   /**
+   * Logs a bug of ours with its stack, and nothing else.
+   *
+   * @param where the part of the kernel that failed
+   */
+  public static void log(String where, Throwable failure) {
+    if (isDefect(failure)) {
+      FailureLog.internal(where, failure);
+    }
+  }
+
+  /**
    * What those are told whose request has failed; a bug of ours is logged with its stack.
    *
    * @param where the part of the kernel that failed
    */
   public static String text(String where, Throwable failure) {
+    log(where, failure);
     if (isDefect(failure)) {
-      FailureLog.internal(where, failure);
       return FailureLog.text(failure);
     }
     String message = failure.getMessage();

@@ -13,6 +13,7 @@ import java.lang.constant.MethodTypeDesc;
 import java.lang.invoke.MethodHandles;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.CodeCompiler;
 import org.urbi.kernel.node.CompiledCode;
@@ -27,6 +28,9 @@ import org.urbi.kernel.object.World;
 public final class Tier implements CodeCompiler {
   private static final String FUNCTION = "Code";
   private static final String LOOP = "Loop";
+
+  /** What the log calls this part of the kernel. */
+  private static final String COMPILER = "the compiler of hot code";
 
   /**
    * How many turns of a loop count as much as a call. A loop around a hot one is compiled with that
@@ -186,8 +190,10 @@ public final class Tier implements CodeCompiler {
       } catch (LinkageError e) {
         broken = true;
         log.write("urbi: code is not compiled any more: " + e);
+        FailureLog.internal(COMPILER, e);
       } catch (IllegalArgumentException e) {
         log.write("urbi: code is not compiled: " + e);
+        FailureLog.internal(COMPILER, e);
       } catch (StackOverflowError | TooLong e) {
         // It is refused.
       }

@@ -16,6 +16,7 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.log.Defects;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -45,6 +46,7 @@ final class KernelRequests {
         future.completeExceptionally(stopped());
         throw e;
       } catch (RuntimeException | Error e) {
+        Defects.log("a request of a component", e);
         future.completeExceptionally(e);
       }
     }

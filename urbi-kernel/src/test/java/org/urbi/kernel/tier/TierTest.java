@@ -7,9 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
@@ -24,6 +29,21 @@ class TierTest {
   private final List<String> log = new ArrayList<>();
   private final World world = new World();
   private final Tier tier = new Tier(world, 1, 0, new KernelLog(LogLevel.values()[0], log::add));
+
+  /** Where the stack traces go. */
+  private final ByteArrayOutputStream failures = new ByteArrayOutputStream();
+
+  private final PrintStream before = System.err;
+
+  @BeforeEach
+  void catchFailures() {
+    System.setErr(new PrintStream(failures, true, StandardCharsets.UTF_8));
+  }
+
+  @AfterEach
+  void release() {
+    System.setErr(before);
+  }
 
   /** Code that does nothing. */
   private static final class Nothing extends CompiledCode {
@@ -102,5 +122,8 @@ class TierTest {
     assertNotNull(tier.attempt(this::nothing));
     assertEquals(
         List.of("urbi: code is not compiled: java.lang.IllegalArgumentException: too far"), log);
+    String trace = failures.toString(StandardCharsets.UTF_8);
+    assertTrue(trace.contains("internal error in the compiler of hot code"), trace);
+    assertTrue(trace.contains("\tat " + TierTest.class.getName()), trace);
   }
 }

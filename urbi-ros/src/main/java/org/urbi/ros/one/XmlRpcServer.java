@@ -116,9 +116,9 @@ final class XmlRpcServer implements AutoCloseable {
     try {
       XmlRpcReader.Call call = XmlRpcReader.call(body);
       return XmlRpcWriter.response(handler.call(call.method(), call.arguments()));
-    } catch (XmlRpcException | RuntimeException e) {
+    } catch (XmlRpcException e) {
       return XmlRpcWriter.fault(String.valueOf(e.getMessage()));
-    } catch (Error e) {
+    } catch (RuntimeException | Error e) {
       return XmlRpcWriter.fault(Failures.told("a call of a master or a node", e));
     }
   }

@@ -162,9 +162,12 @@ public final class NewComponent {
         Files.writeString(target, filled(template(file.getValue()), values));
       }
       Files.move(part, folder);
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException e) {
       remove(part);
       throw Failure.of("cannot make " + folder + ": " + e);
+    } catch (RuntimeException | Error e) {
+      remove(part);
+      throw e;
     }
   }
 

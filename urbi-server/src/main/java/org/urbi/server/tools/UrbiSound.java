@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.urbi.kernel.log.Defects;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -145,11 +146,13 @@ public final class UrbiSound {
       }
       recording.add(value.usoundValue());
       return UCallbackAction.URBI_CONTINUE;
+    } catch (Failure e) {
+      done.completeExceptionally(e);
+      return UCallbackAction.URBI_REMOVE;
     } catch (RuntimeException e) {
+      String why = Defects.text("the recording of a sound", e);
       done.completeExceptionally(
-          e instanceof Failure
-              ? e
-              : Failure.of(device + ".val is no sound that is understood: " + e.getMessage()));
+          Failure.of(device + ".val is no sound that is understood: " + why));
       return UCallbackAction.URBI_REMOVE;
     }
   }
