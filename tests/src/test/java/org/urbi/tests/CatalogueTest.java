@@ -21,10 +21,13 @@ import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.lang.problem.SyntaxHint;
 import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.problem.Template;
+import org.urbi.server.net.ConsoleServer;
 
 /**
  * All messages of the language are in the catalogues, {@link Problem} and {@link SyntaxProblem},
@@ -80,12 +83,39 @@ class CatalogueTest {
     }
   }
 
+  /** What is said to another process: {@link MessageUses} must find each but the last two. */
+  @SuppressWarnings("unused")
+  private static final class Speaker {
+    private String reason = "the process is gone";
+
+    String returned() {
+      return "no such thing";
+    }
+
+    String joined(String name) {
+      return "no such " + name + " here";
+    }
+
+    void closes(RemoteTransport way) {
+      way.close("it says nothing");
+    }
+
+    void logs(Throwable failure) {
+      FailureLog.internal("the test of texts", failure);
+    }
+
+    String word() {
+      return "gone";
+    }
+  }
+
   private static final MessageUses USES = new MessageUses();
 
   @BeforeAll
   static void read() throws IOException {
     USES.readModuleOf(Problem.class);
     USES.readModuleOf(SyntaxProblem.class);
+    USES.readAround(ConsoleServer.class);
   }
 
   private static void assertNone(Stream<String> found) {
@@ -159,6 +189,13 @@ class CatalogueTest {
     assertEquals(8, uses.literals().size(), uses.literals().toString());
     assertEquals(2, uses.misfilled().size(), uses.misfilled().toString());
     assertEquals(1, uses.thrownTexts().size(), uses.thrownTexts().toString());
+  }
+
+  @Test
+  void whatIsSaidToOthersIsFound() throws IOException {
+    MessageUses uses = new MessageUses();
+    uses.readSpeaker(Speaker.class);
+    assertEquals(4, uses.literals().size(), uses.literals().toString());
   }
 
   @Test

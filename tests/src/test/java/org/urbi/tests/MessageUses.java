@@ -10,6 +10,7 @@ import java.lang.classfile.CodeElement;
 import java.lang.classfile.Instruction;
 import java.lang.classfile.Label;
 import java.lang.classfile.MethodModel;
+import java.lang.classfile.Opcode;
 import java.lang.classfile.constantpool.StringEntry;
 import java.lang.classfile.instruction.BranchInstruction;
 import java.lang.classfile.instruction.ConstantInstruction;
@@ -18,6 +19,7 @@ import java.lang.classfile.instruction.InvokeDynamicInstruction;
 import java.lang.classfile.instruction.InvokeInstruction;
 import java.lang.classfile.instruction.LabelTarget;
 import java.lang.classfile.instruction.NewReferenceArrayInstruction;
+import java.lang.classfile.instruction.ReturnInstruction;
 import java.lang.constant.ConstantDesc;
 import java.net.URI;
 import java.net.URISyntaxException;
@@ -101,7 +103,42 @@ final class MessageUses {
   private static final Pattern MAY_THROW =
       Pattern.compile("org/urbi/kernel/error/.*|org/urbi/kernel/node/Jumps.*");
 
-  private static final String MARK_OWNER = "org/urbi/kernel/lobby/Diagnostics";
+  /** Who marks errors: for lobbies, for clients without one, in code, and in what a server says. */
+  private static final Set<String> MARK_OWNERS =
+      Set.of(
+          "org/urbi/kernel/lobby/Diagnostics",
+          "org/urbi/server/net/ErrorLine",
+          "org/urbi/server/cli/LocalConsole",
+          "org/urbi/server/launch/PluginRequest");
+
+  /** What talks to other processes, or of them: whatever it says may reach urbiscript. */
+  private static final Pattern SPEAKING =
+      Pattern.compile("org/urbi/(kernel/remote|server/net|server/isolated)/.*");
+
+  /** Whom only the log, or who starts the server, is told something by. */
+  private static final Set<String> LISTENING =
+      Set.of(
+          "java/io/IOException",
+          "java/lang/IllegalStateException",
+          "java/util/Objects",
+          "org/urbi/kernel/Connection",
+          "org/urbi/kernel/log/Defects",
+          "org/urbi/kernel/log/FailureLog",
+          "org/urbi/kernel/log/WatchFailure",
+          "org/urbi/server/Trace",
+          "urbi/thread/GuardedThreads");
+
+  private static final String STARTS = "told to who starts the server";
+  private static final String LOGGED = "for the log of the server";
+
+  /** Of these classes what no other process is told either, and why. */
+  private static final Map<String, String> SPEAKING_EXCUSED =
+      Map.of(
+          "org/urbi/server/net/ConsoleServer", STARTS,
+          "org/urbi/server/net/UnixSocketFile", STARTS,
+          "org/urbi/server/net/ForeignProtocolFilter", "the names of protocols",
+          "org/urbi/server/net/UnixChannel$1", LOGGED,
+          "org/urbi/server/net/TlsGate", LOGGED);
 
   private final List<String> literals = new ArrayList<>();
   private final Set<String> excused = new HashSet<>();
@@ -109,6 +146,11 @@ final class MessageUses {
   private final List<String> thrownTexts = new ArrayList<>();
   private final Set<Enum<?>> used = new HashSet<>();
   private int filled;
+
+  /** Whether exceptions of Java are told to urbiscript, as they are by the kernel. */
+  private boolean tellsExceptions = true;
+
+  private boolean speaks;
 
   /** Texts that stand in the code: class and text. */
   List<String> literals() {
@@ -118,6 +160,7 @@ final class MessageUses {
   /** Classes that are excused for nothing. */
   Set<String> excusedInVain() {
     var none = new TreeSet<>(EXCUSED.keySet());
+    none.addAll(SPEAKING_EXCUSED.keySet());
     none.removeAll(excused);
     return none;
   }
@@ -162,6 +205,13 @@ final class MessageUses {
     }
   }
 
+  /** The same of a module around the kernel, whose exceptions urbiscript is not told. */
+  void readAround(Class<?> type) throws IOException {
+    tellsExceptions = false;
+    readModuleOf(type);
+    tellsExceptions = true;
+  }
+
   private void readAll(Path root) throws IOException {
     try (Stream<Path> files = Files.walk(root)) {
       for (Path file : files.filter(f -> f.toString().endsWith(".class")).toList()) {
@@ -175,6 +225,13 @@ final class MessageUses {
     try (InputStream in = type.getResourceAsStream("/" + internal(type) + ".class")) {
       read(in.readAllBytes());
     }
+  }
+
+  /** Reads a class that talks to other processes. */
+  void readSpeaker(Class<?> type) throws IOException {
+    speaks = true;
+    read(type);
+    speaks = false;
   }
 
   private void read(byte[] bytes) {
@@ -203,17 +260,51 @@ final class MessageUses {
                 && !MAY_THROW.matcher(owner).matches() ->
             literals.add(owner + ": an exception of urbiscript that is no message");
         case InvokeInstruction call
-            when call.name().equalsString("<init>")
+            when tellsExceptions
+                && call.name().equalsString("<init>")
                 && TOLD.contains(call.owner().asInternalName()) ->
             message(owner, code, i);
         default -> {
           String text = text(code.get(i));
-          if (text != null && text.contains("!!!") && !owner.equals(MARK_OWNER)) {
+          if (text != null && text.contains("!!!") && !MARK_OWNERS.contains(owner)) {
             literals.add(owner + ": " + text);
+          }
+          if (text != null
+              && (speaks || SPEAKING.matcher(owner).matches())
+              && SENTENCE.matcher(text).find()
+              && !isForLog(code, i)) {
+            said(owner, text);
           }
         }
       }
     }
+  }
+
+  private void said(String owner, String text) {
+    if (SPEAKING_EXCUSED.containsKey(owner)) {
+      excused.add(owner);
+    } else {
+      literals.add(owner + ": " + text + ", said to others");
+    }
+  }
+
+  /** Whether whoever takes a text is a log, or the failure of whoever starts the server. */
+  private static boolean isForLog(List<CodeElement> code, int at) {
+    for (CodeElement element : code.subList(at + 1, code.size())) {
+      switch (element) {
+        case InvokeInstruction call -> {
+          return LISTENING.contains(call.owner().asInternalName());
+        }
+        case ReturnInstruction returned -> {
+          return false;
+        }
+        case FieldInstruction field when field.opcode() == Opcode.PUTFIELD -> {
+          return false;
+        }
+        default -> {}
+      }
+    }
+    return false;
   }
 
   /** A message, and what is done with it up to the call that takes it. */

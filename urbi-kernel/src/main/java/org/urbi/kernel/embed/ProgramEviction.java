@@ -47,7 +47,7 @@ final class ProgramEviction implements Evictable {
 
   @Override
   public String description() {
-    return "the program that embeds the kernel";
+    return Problem.EMBEDDING_PROGRAM.text();
   }
 
   @Override

@@ -350,6 +350,32 @@ public enum Problem {
   VALUES_TOO_DEEP(PART, "values nested too deeply"),
   UNKNOWN_KEYWORDS(PART, "a binary with unknown keywords"),
   PROTOCOL_BROKEN(LINE, "the remote process does not keep to the protocol: {reason}"),
+  LONG_FRAME(PART, "a frame of {number} bytes"),
+  PROCESS_SILENT(PART, "the remote process does not answer any more"),
+  PROCESS_DOES_NOT_READ(PART, "the remote process does not read what it is sent"),
+  MODULE_PROCESS_ENDED(PART, "the process of {module} has ended: {reason}"),
+  MODULE_NOT_STARTED(PART, "not started within {seconds} s"),
+  MODULE_CANNOT_RUN(PART, "cannot be run: {reason}"),
+  MODULE_LAST_WORDS(PART, "its last words:"),
+  EXIT_STATUS(PART, "exit status {status}"),
+  SIGNAL(PART, "signal {number}"),
+  DATAGRAMS_NOT_SAFE(PART, "datagrams would not be as safe as this connection"),
+  NO_DATAGRAMS(PART, "cannot take datagrams: {reason}"),
+  PORT_CLOSED(PART, "the port has been closed"),
+
+  // ------------------------------------------------------------------ clients without a lobby
+
+  CLOSING(LINE, "{reason}: closing"),
+  PROTOCOL_VERSIONS(LINE, "this server speaks versions {least} to {most} of the UObject protocol"),
+  UOBJECTS_NEED_OWNER(LINE, "to bring UObjects needs the role owner"),
+  FOREIGN_PROTOCOL(PART, "this is the console of an Urbi server, which does not speak {protocol}"),
+  SPEAKS_TLS(PART, "this server speaks TLS alone (--tls, or URBI_TLS=1 in the environment)"),
+  ASKS_FOR_TOKEN(PART, "this server asks for a token (--token FILE)"),
+  WRONG_TOKEN(PART, "wrong token"),
+  LONG_TOKEN(PART, "this token is too long"),
+  TOKEN_TOO_SOON(PART, "after a wrong token, no other one for {seconds} s"),
+  MOST_CLIENTS(PART, "this server takes {number} clients at most"),
+  NO_DESCRIPTOR(PART, "this server has no file descriptor left for another client"),
 
   // ------------------------------------------------------------------ lines of their own
 
@@ -357,6 +383,7 @@ public enum Problem {
   CALLED_FROM(LINE, "   called from: {place}{name}"),
   LEFT_OUT(PART, "({count} more calls)"),
   INTERRUPTED(LINE, "received interruption, killing foreground job."),
+  INTERRUPTED_SHUTDOWN(LINE, "received interruption, shutting down."),
   INTERNAL_ERROR(LINE, "internal error: {failure}", "the log has more; please report it"),
   UNPRINTABLE(LINE, "exception that cannot be shown", "its asString fails"),
   DEPRECATED(WARNING, "`{old}' is deprecated"),
@@ -375,6 +402,7 @@ public enum Problem {
   CLIENTS_LOG_TOO_MUCH(
       LINE, "clients log too much together: messages of them are lost from here on"),
   LEFT_BEHIND(LINE, "{reason}: ending what {lobby} has left behind, {count} jobs"),
+  EMBEDDING_PROGRAM(PART, "the program that embeds the kernel"),
   COMMON_BUDGET(PART, "clients that have left may have {limit} {what} together"),
   NOBODY_HOLDS(LINE, "nobody holds the kernel"),
   INTERRUPTED_HOLDER(LINE, "interrupted: {job} held the kernel for {time} s"),

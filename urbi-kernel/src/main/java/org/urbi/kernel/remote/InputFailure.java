@@ -1,5 +1,6 @@
 package org.urbi.kernel.remote;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.FailureLog;
 import urbi.wire.WireException;
 
@@ -13,7 +14,7 @@ public final class InputFailure {
    */
   public static String text(RuntimeException failure) {
     if (failure instanceof WireException || failure instanceof IllegalArgumentException) {
-      return "the remote process does not keep to the protocol: " + failure.getMessage();
+      return Problem.PROTOCOL_BROKEN.text(String.valueOf(failure.getMessage()));
     }
     FailureLog.internal("reading what a remote process has sent", failure);
     return FailureLog.text(failure);

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.server.console.Console;
@@ -26,9 +27,6 @@ import org.urbi.server.console.TerminalSession;
  * terminal or the standard input, and decides when the run is over.
  */
 final class LocalConsole implements AutoCloseable {
-  private static final String SHUTDOWN =
-      "lobby.send(\"!!! received interruption, shutting down.\", \"error\") | shutdown;\n";
-
   /** The exit status of a run with an error that nobody handled. */
   static final int FAILED = 1;
 
@@ -121,7 +119,11 @@ final class LocalConsole implements AutoCloseable {
   private void shutDown() {
     if (isSession()) {
       opened().interrupt();
-      opened().send(SHUTDOWN);
+      opened()
+          .send(
+              "lobby.send(\"!!! "
+                  + Problem.INTERRUPTED_SHUTDOWN.text()
+                  + "\", \"error\") | shutdown;\n");
     } else {
       if (connection != null) {
         connection.close();

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.remote.ModuleProcess;
@@ -83,12 +84,12 @@ final class IsolatedProcess implements ModuleProcess {
             startLimit.toMillis(),
             () -> {
               if (!started) {
-                kill("not started within " + startLimit.toSeconds() + " s");
+                kill(Problem.MODULE_NOT_STARTED.text(startLimit.toSeconds()));
               }
             });
       }
     } catch (IOException e) {
-      peer.ended(said("cannot be run: " + e.getMessage()));
+      peer.ended(said(Problem.MODULE_CANNOT_RUN.text(String.valueOf(e.getMessage()))));
     }
   }
 
@@ -231,14 +232,14 @@ final class IsolatedProcess implements ModuleProcess {
     StringBuilder text = new StringBuilder(said(how(gone.exitValue())));
     List<String> words = output.lastWords();
     if (!words.isEmpty()) {
-      text.append("\nits last words:");
+      text.append('\n').append(Problem.MODULE_LAST_WORDS.text());
       words.forEach(line -> text.append("\n  ").append(line));
     }
     peer.ended(text.toString());
   }
 
   private String said(String what) {
-    return "the process of " + name() + " has ended: " + what;
+    return Problem.MODULE_PROCESS_ENDED.text(name(), what);
   }
 
   private synchronized String how(int status) {
@@ -250,6 +251,8 @@ final class IsolatedProcess implements ModuleProcess {
       return crash;
     }
     int signal = ChildProcess.signal(status);
-    return signal == 0 ? "exit status " + status : SIGNALS.getOrDefault(signal, "signal " + signal);
+    return signal == 0
+        ? Problem.EXIT_STATUS.text(status)
+        : SIGNALS.getOrDefault(signal, Problem.SIGNAL.text(signal));
   }
 }

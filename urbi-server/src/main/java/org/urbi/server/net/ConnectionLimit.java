@@ -1,10 +1,9 @@
 package org.urbi.server.net;
 
-import io.netty.buffer.Unpooled;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.group.ChannelGroup;
-import java.nio.charset.StandardCharsets;
+import org.urbi.kernel.error.Problem;
 import org.urbi.server.Trace;
 
 /** Limits the number of clients. */
@@ -30,9 +29,9 @@ final class ConnectionLimit {
    */
   boolean acceptClient(Channel client) {
     if (most > 0 && clients.size() >= most) {
-      refuse(client, "this server takes " + most + " clients at most");
+      refuse(client, Problem.MOST_CLIENTS.text(most));
     } else if (!headroom.allowsOneMore()) {
-      refuse(client, "this server has no file descriptor left for another client");
+      refuse(client, Problem.NO_DESCRIPTOR.text());
     } else {
       told = false;
       clients.add(client);
@@ -48,10 +47,6 @@ final class ConnectionLimit {
       trace.log("clients are refused from now on: " + reason);
     }
     client.config().setAutoRead(false);
-    client
-        .writeAndFlush(
-            Unpooled.copiedBuffer(
-                "[00000000:error] !!! " + reason + ": closing\n", StandardCharsets.ISO_8859_1))
-        .addListener(ChannelFutureListener.CLOSE);
+    client.writeAndFlush(ErrorLine.closing(reason)).addListener(ChannelFutureListener.CLOSE);
   }
 }

@@ -190,9 +190,8 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   /** Reports an internal error to a client that has no lobby, and disconnects it. */
   static void refuse(ChannelHandlerContext context, Throwable failure) {
     FailureLog.internal("the connection of " + context.channel().remoteAddress(), failure);
-    String told = "[00000000:error] !!! " + FailureLog.text(failure) + "\n";
     context
-        .writeAndFlush(Unpooled.copiedBuffer(told, StandardCharsets.ISO_8859_1))
+        .writeAndFlush(ErrorLine.of("error", FailureLog.text(failure)))
         .addListener(ChannelFutureListener.CLOSE);
   }
 

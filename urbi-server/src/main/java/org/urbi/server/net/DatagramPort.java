@@ -20,6 +20,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.WatchFailure;
 import org.urbi.server.Trace;
 import urbi.rtp.RtpSession;
@@ -98,7 +99,7 @@ final class DatagramPort {
   private void opened(Channel bound) {
     if (closed) {
       bound.close();
-      failed(new IOException("the port has been closed"));
+      failed(new IOException(Problem.PORT_CLOSED.text()));
       return;
     }
     channel = bound;
@@ -107,7 +108,8 @@ final class DatagramPort {
   }
 
   private void failed(Throwable cause) {
-    answer(each -> each.failed.accept("cannot take datagrams: " + cause.getMessage()));
+    answer(
+        each -> each.failed.accept(Problem.NO_DATAGRAMS.text(String.valueOf(cause.getMessage()))));
   }
 
   private void answer(Consumer<Request> answer) {

@@ -9,6 +9,7 @@ import io.netty.channel.socket.ChannelInputShutdownEvent;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.urbi.kernel.error.Problem;
 import org.urbi.server.Trace;
 
 /**
@@ -83,12 +84,8 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
     trace.turnedAway(
         "client refused, it speaks " + protocol + ": " + context.channel().remoteAddress());
     context.channel().config().setAutoRead(false);
-    String line =
-        "[00000000:error] !!! this is the console of an Urbi server, which does not speak "
-            + protocol
-            + ": closing\n";
     context
-        .writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1))
+        .writeAndFlush(ErrorLine.closing(Problem.FOREIGN_PROTOCOL.text(protocol)))
         .addListener(ChannelFutureListener.CLOSE);
     first.clear();
     refused = true;

@@ -14,6 +14,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.outside.SocketSelector;
 import org.urbi.kernel.remote.InputFailure;
 import org.urbi.kernel.remote.RemotePeer;
@@ -55,7 +56,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   private boolean kernelReads;
   private volatile boolean attended;
   private volatile long heard;
-  private String reason = "the remote process has gone";
+  private String reason = Problem.PROCESS_GONE.text();
   private volatile boolean over;
 
   /**
@@ -84,7 +85,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   private void watch() {
     long silence = TimeUnit.NANOSECONDS.toSeconds(context.executor().ticker().nanoTime() - heard);
     if (silence >= Protocol.TIMEOUT_SECONDS) {
-      close("the remote process does not answer any more");
+      close(Problem.PROCESS_SILENT.text());
     } else if (silence >= Protocol.SILENCE_SECONDS) {
       output.writeAndFlush(PING);
     }
@@ -130,7 +131,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
     while (!over && in.readableBytes() > HEADER) {
       int length = in.getInt(in.readerIndex());
       if (length < 1 || length > Protocol.MAX_FRAME) {
-        throw new WireException("a frame of " + length + " bytes");
+        throw new WireException(Problem.LONG_FRAME.text(length));
       }
       if (in.readableBytes() < HEADER + length) {
         return;
@@ -375,7 +376,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   @Override
   public void send(byte[] frames) {
     if (output.unsent() > MAX_OUTPUT) {
-      close("the remote process does not read what it is sent");
+      close(Problem.PROCESS_DOES_NOT_READ.text());
     } else {
       output.send(frames);
     }
@@ -384,7 +385,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   @Override
   public void openDatagrams(RtpParameters terms) {
     if (bare == null) {
-      datagrams.refuse("datagrams would not be as safe as this connection");
+      datagrams.refuse(Problem.DATAGRAMS_NOT_SAFE.text());
     } else {
       datagrams.open(terms);
     }

@@ -2,12 +2,12 @@ package org.urbi.server.net;
 
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
-import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Supplier;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.trust.Role;
 import urbi.wire.Protocol;
 
@@ -50,22 +50,15 @@ final class ProtocolDetector extends ChannelInboundHandlerAdapter {
   private void agree(ChannelHandlerContext context, String request, int length) {
     int agreed = Protocol.agree(request);
     if (agreed == 0) {
-      line(
-              context,
-              "!!! this server speaks versions "
-                  + Protocol.MIN_VERSION
-                  + " to "
-                  + Protocol.MAX_VERSION
-                  + " of the UObject protocol")
-          .addListener(ChannelFutureListener.CLOSE);
+      refuse(context, Problem.PROTOCOL_VERSIONS.text(Protocol.MIN_VERSION, Protocol.MAX_VERSION));
       return;
     }
     if (TokenAuthenticator.role(context) != Role.OWNER) {
-      line(context, "!!! to bring UObjects needs the role owner")
-          .addListener(ChannelFutureListener.CLOSE);
+      refuse(context, Problem.UOBJECTS_NEED_OWNER.text());
       return;
     }
-    line(context, agreed + " " + version);
+    String line = "[00000000:" + Protocol.CHANNEL + "] " + agreed + " " + version + "\n";
+    context.writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1));
     FrameHandler handler = frames.get();
     context.pipeline().remove(TelnetDecoder.class);
     context.pipeline().addAfter(context.name(), null, handler);
@@ -79,9 +72,10 @@ final class ProtocolDetector extends ChannelInboundHandlerAdapter {
     context.fireChannelRead(rest);
   }
 
-  private static ChannelFuture line(ChannelHandlerContext context, String text) {
-    String line = "[00000000:" + Protocol.CHANNEL + "] " + text + "\n";
-    return context.writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1));
+  private static void refuse(ChannelHandlerContext context, String reason) {
+    context
+        .writeAndFlush(ErrorLine.of(Protocol.CHANNEL, reason))
+        .addListener(ChannelFutureListener.CLOSE);
   }
 
   @Override

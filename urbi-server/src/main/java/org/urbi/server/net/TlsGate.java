@@ -1,7 +1,6 @@
 package org.urbi.server.net;
 
 import io.netty.buffer.ByteBuf;
-import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
@@ -15,11 +14,11 @@ import io.netty.handler.ssl.SslHandler;
 import io.netty.handler.ssl.SslHandshakeCompletionEvent;
 import io.netty.handler.ssl.SslProvider;
 import io.netty.util.concurrent.ScheduledFuture;
-import java.nio.charset.StandardCharsets;
 import java.security.cert.X509Certificate;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.server.Trace;
 import org.urbi.server.trust.ServerIdentity;
 
@@ -103,11 +102,8 @@ public final class TlsGate extends ChannelInboundHandlerAdapter {
     refused = true;
     trace.turnedAway("client refused, it does not speak TLS: " + client.channel().remoteAddress());
     client.channel().config().setAutoRead(false);
-    String line =
-        "[00000000:error] !!! this server speaks TLS alone (--tls, or URBI_TLS=1 in the"
-            + " environment): closing\n";
     client
-        .writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1))
+        .writeAndFlush(ErrorLine.closing(Problem.SPEAKS_TLS.text()))
         .addListener(ChannelFutureListener.CLOSE);
   }
 

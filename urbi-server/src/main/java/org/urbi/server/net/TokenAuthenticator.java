@@ -12,6 +12,7 @@ import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 import org.urbi.server.trust.AccessPolicy;
@@ -95,7 +96,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     } else if (end >= 0) {
       shown(context, text.substring(LINE.length(), end).strip(), end + 1);
     } else if (text.length() > MAX_LINE) {
-      refuse(context, "this token is too long");
+      refuse(context, Problem.LONG_TOKEN.text());
     }
   }
 
@@ -108,7 +109,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
   }
 
   private static String asked() {
-    return "this server asks for a token (--token FILE)";
+    return Problem.ASKS_FOR_TOKEN.text();
   }
 
   private void shown(ChannelHandlerContext context, String token, int length) {
@@ -119,14 +120,14 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     }
     long wait = wrong.secondsToWait(address);
     if (wait > 0) {
-      refuse(context, "after a wrong token, no other one for " + wait + " s");
+      refuse(context, Problem.TOKEN_TOO_SOON.text(wait));
       return;
     }
     Tokens.TokenHolder holder = accessPolicy.holder(token);
     if (holder == null) {
       wrong.recordFailure(address, token);
       trace.log("wrong token: " + context.channel().remoteAddress());
-      refuse(context, "wrong token");
+      refuse(context, Problem.WRONG_TOKEN.text());
       return;
     }
     wrong.recordSuccess(address);
@@ -165,10 +166,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     }
     refused = true;
     context.channel().config().setAutoRead(false);
-    String line = "[00000000:error] !!! " + reason + ": closing\n";
-    context
-        .writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1))
-        .addListener(ChannelFutureListener.CLOSE);
+    context.writeAndFlush(ErrorLine.closing(reason)).addListener(ChannelFutureListener.CLOSE);
   }
 
   @Override
