@@ -22,6 +22,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -38,6 +39,7 @@ import org.urbi.kernel.message.Data;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.observe.CallEnd;
+import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -66,6 +68,7 @@ class RecordedRunTest {
   private static final class Console implements Client {
     private final StringBuilder output = new StringBuilder();
     private final CompletableFuture<Void> over = new CompletableFuture<>();
+    private final CompletableFuture<Void> left = new CompletableFuture<>();
     private Connection connection;
 
     @Override
@@ -79,6 +82,7 @@ class RecordedRunTest {
     @Override
     public void closed() {
       over.complete(null);
+      left.complete(null);
     }
 
     synchronized String text() {
@@ -160,6 +164,18 @@ class RecordedRunTest {
       one.connection.send(program(file));
       one.over.get();
       two.connection.send("echo(40 + 2);\n");
+      visit(
+          kernel, "var Global.visited = 1 | echo(\"a visit is over\");\n", Connection::end);
+      two.connection.send("echo(\"with input ended: \" + System.lobbies.size);\n");
+      visit(kernel, "echo(\"a visit is over\");\n", Connection::close);
+      two.connection.send("echo(\"with another gone: \" + System.lobbies.size);\n");
+      visit(
+          kernel,
+          "{ echo(\"a visit is over\") | sleep(1h) };\n",
+          waiting -> {
+            waiting.interrupt();
+            waiting.end();
+          });
       two.connection.send("loop|{},\n");
       // A loop that never lets others run ends by an interruption alone.
       Thread.sleep(50);
@@ -174,6 +190,16 @@ class RecordedRunTest {
     }
     Files.delete(file);
     return shown;
+  }
+
+  /** Another client comes, says something, and leaves so. */
+  private static void visit(Kernel kernel, String saying, Consumer<Connection> leaving)
+      throws Exception {
+    Console visitor = connect(kernel);
+    visitor.connection.send(saying);
+    visitor.over.get();
+    leaving.accept(visitor.connection);
+    visitor.left.get();
   }
 
   private record Replayed(Map<Integer, String> shown, int status, String difference) {}
@@ -253,6 +279,18 @@ class RecordedRunTest {
    * @param shown what the run shows that was not recorded
    */
   private record Change(String source, String before, UnaryOperator<Entry> made, String shown) {
+    /** A message that has not come. */
+    static <M extends Message> Change ofMissing(Class<M> kind, String before, String shown) {
+      return new Change(
+          kind.getSimpleName(),
+          before,
+          entry ->
+              entry instanceof Entry.MessageTaken(Message message) && kind.isInstance(message)
+                  ? new Entry.MessageTaken(new Message.ConsoleBytes(message.to(), ""))
+                  : entry,
+          shown);
+    }
+
     /** A message that is another one. */
     static <M extends Message> Change ofMessage(
         Class<M> kind, String before, UnaryOperator<M> made, String shown) {
@@ -279,6 +317,18 @@ class RecordedRunTest {
                   : entry,
           shown);
     }
+  }
+
+  private static Message.ConnectionOpened observing(Message.ConnectionOpened opened) {
+    return new Message.ConnectionOpened(
+        opened.connection(),
+        opened.holdsTime(),
+        opened.address(),
+        Role.OBSERVER.name(),
+        opened.budget(),
+        opened.errors(),
+        opened.program(),
+        opened.awaited());
   }
 
   private static final long HOUR = 3_600_000_000_000L;
@@ -318,6 +368,16 @@ class RecordedRunTest {
               "status: ",
               ended -> new Message.ProcessEnded(ended.to(), 4),
               "with status 4"),
+          Change.ofMessage(
+              Message.ConnectionOpened.class,
+              "a visit is over",
+              RecordedRunTest::observing,
+              "needs the role"),
+          Change.ofMissing(Message.InputEnded.class, "with input ended: ", "with input ended: "),
+          Change.ofMissing(
+              Message.ConnectionClosed.class, "with another gone: ", "with another gone: "),
+          Change.ofMissing(
+              Message.Interrupted.class, "received interruption", "received interruption"),
           new Change(
               "the clock of a tick",
               "sum: 20",
