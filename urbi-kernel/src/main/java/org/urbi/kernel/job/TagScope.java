@@ -236,17 +236,6 @@ public final class TagScope {
     return frozen;
   }
 
-  /** The blocked scope nearest to the root, or null. */
-  @Nullable TagScope blockedScope() {
-    TagScope found = null;
-    for (TagScope scope = this; scope != null; scope = scope.parent) {
-      if (scope.tag.isBlocked()) {
-        found = scope;
-      }
-    }
-    return found;
-  }
-
   /** The jobs directly under this scope. */
   List<Job> ownJobs() {
     List<Job> own = new ArrayList<>(jobs.size());

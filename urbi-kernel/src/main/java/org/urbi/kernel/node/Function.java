@@ -152,11 +152,6 @@ public final class Function extends Code {
     public boolean hasCells() {
       return layout.hasCells();
     }
-
-    /** Whether it is being compiled. */
-    public boolean isCompiling() {
-      return compiling;
-    }
   }
 
   private final Body body;

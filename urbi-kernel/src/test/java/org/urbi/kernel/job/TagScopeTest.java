@@ -115,20 +115,14 @@ class TagScopeTest {
   }
 
   @Test
-  void ofBlockedScopesTheOuterOneCounts() {
-    assertNull(inner.blockedScope());
+  void aBlockedTagKeepsItsValueUntilItIsUnblocked() {
     other.block(loop.scheduler, value);
     assertTrue(other.isBlocked());
+    assertFalse(tag.isBlocked());
     assertSame(value, other.blockedValue());
-    assertSame(inner, inner.blockedScope());
-    tag.block(loop.scheduler, object);
-    assertSame(outer, inner.blockedScope());
-    assertNull(root.blockedScope());
-    tag.unblock();
     other.unblock();
     assertFalse(other.isBlocked());
     assertNull(other.blockedValue());
-    assertNull(inner.blockedScope());
   }
 
   @Test
