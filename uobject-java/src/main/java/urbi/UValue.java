@@ -91,7 +91,7 @@ public final class UValue {
   /**
    * Reads an urbiscript literal as it comes from a server.
    *
-   * @throws UParseException if the bytes are none, or more than that
+   * @throws UParseException if the bytes are not a literal, or go on behind it
    */
   public static UValue parse(byte[] literal) {
     return new UValueReader(literal, 0, literal.length).whole();

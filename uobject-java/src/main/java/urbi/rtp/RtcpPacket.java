@@ -65,7 +65,7 @@ record RtcpPacket(Kind kind, int ssrc, long token, Map<Integer, Integer> highest
     return out.putLong(token).array();
   }
 
-  /** The packet that the bytes are; null if they are none. */
+  /** The packet that these bytes hold; null if they are not a packet. */
   static @Nullable RtcpPacket read(byte[] bytes, int length) {
     if (length < HEADER + Long.BYTES) {
       return null;

@@ -49,7 +49,7 @@ record RtpPacket(
         .array();
   }
 
-  /** The packet that the bytes are; null if they are none. */
+  /** The packet that these bytes hold; null if they are not a packet. */
   static @Nullable RtpPacket read(byte[] bytes, int length) {
     if (length <= HEADER) {
       return null;

@@ -322,7 +322,7 @@ final class KernelConnection extends ConnectionParts
     }
   }
 
-  /** It is gone, and what it had left behind has ended. */
+  /** Forgets the connection, if its client is gone: what that had left behind has ended. */
   void forget() {
     if (gone) {
       kernel.inbox().forget(number);

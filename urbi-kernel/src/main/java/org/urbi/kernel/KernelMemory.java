@@ -126,7 +126,8 @@ final class KernelMemory implements MemoryUser {
       try {
         before.close();
       } catch (RuntimeException e) {
-        // Unlike a want of memory, a defect remains: the next one is to be asked.
+        // This is a bug, and would be met again: the next client is asked instead. A lack of memory
+        // passes, so it is not caught here.
         evicted.remove(before);
         throw e;
       }

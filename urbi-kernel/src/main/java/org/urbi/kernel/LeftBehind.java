@@ -14,9 +14,10 @@ import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 
 /**
- * What clients that have left leave behind: jobs that were detached from the connection, and those
- * that do not end with it. Together they may have what one client may have: the budget of whoever
- * has left last. What exceeds it ends: the most of one client, of equals that of the newest one.
+ * Clients that have left while jobs of theirs go on: jobs that were detached from the connection,
+ * and jobs that do not end with it. All these jobs together have the budget of one client, the one
+ * that has left last. If they exceed it, the jobs of the client with most of them end; among
+ * clients with equally many, those of the one that has left last.
  */
 final class LeftBehind {
   /** How long jobs may take to end, in nanoseconds: until then they are not counted. */
@@ -26,10 +27,10 @@ final class LeftBehind {
   private final KernelLog log;
   private final Budget common = new Budget();
 
-  /** Those that have left something behind. */
+  /** The clients whose jobs go on. */
   private final Map<KernelConnection, State> known = new ConcurrentHashMap<>();
 
-  /** Those whose jobs may still be ending, in the order in which they have left. */
+  /** Clients whose jobs may still be ending, in the order in which they have left. */
   private final Queue<Leaving> leaving = new ArrayDeque<>();
 
   private boolean lookIsDue;
@@ -53,12 +54,12 @@ final class LeftBehind {
 
   // ------------------------------------------------------------------ from any thread
 
-  /** What they may have together. */
+  /** What all these jobs may have together. */
   Budget budget() {
     return common;
   }
 
-  /** Those that have left something behind. */
+  /** The connections of the clients whose jobs go on. */
   Collection<KernelConnection> all() {
     return known.keySet();
   }

@@ -94,7 +94,7 @@ final class ProgramEviction implements Evictable {
     scheduler.interruptions().clear(of);
   }
 
-  /** Why the request with the job of that number was ended; null if not for want of memory. */
+  /** Why the request with the job of that number was ended; null if that was not to free memory. */
   @Nullable String reasonFor(long job) {
     Message.ProgramEvicted last = decided;
     return last != null && job <= last.last() ? last.reason() : null;

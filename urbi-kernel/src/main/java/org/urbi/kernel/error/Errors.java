@@ -48,7 +48,7 @@ public final class Errors {
     return untold(problem).with("message", problem.text(places));
   }
 
-  /** The same without a message of its own: its message is what its asString returns. */
+  /** Creates an exception whose message is what its {@code asString} returns. */
   private Builder untold(Problem problem) {
     return untold(problem, problem.hint().orElse(null));
   }

@@ -56,7 +56,7 @@ public final class UrbiException extends RuntimeException {
     this.uncatchable = uncatchable;
   }
 
-  /** The same exception, but one that no code can catch, because the job must end. */
+  /** A copy of this exception that no code can catch, because the job must end. */
   UrbiException uncatchable() {
     return new UrbiException(value, hint, syntaxError, true);
   }

@@ -21,7 +21,7 @@ public final class WatchedSources implements Dependencies.Tracker {
   /** The watches of the evaluation before, in the order of its reading. */
   private List<Dependencies.Watch> before = new ArrayList<>(4);
 
-  /** Those of this evaluation. */
+  /** The watches of this evaluation. */
   private List<Dependencies.Watch> now = new ArrayList<>(4);
 
   /** All of them by what they watch, if there are many and an evaluation reads in another order. */
@@ -44,7 +44,7 @@ public final class WatchedSources implements Dependencies.Tracker {
     now = empty;
   }
 
-  /** It is watched at once, since others may change it before the evaluation has ended. */
+  /** Watches a source at once: others may change it before the evaluation has ended. */
   @Override
   public void read(Dependencies source) {
     int next = now.size();

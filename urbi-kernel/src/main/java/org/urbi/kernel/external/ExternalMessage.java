@@ -5,10 +5,10 @@ import urbi.UValue;
 
 /** A message of a process in binary mode. */
 sealed interface ExternalMessage {
-  /** It sets a variable. */
+  /** The process sets a variable. */
   record Assign(String variable, UValue value) implements ExternalMessage {}
 
-  /** It emits an event. */
+  /** The process emits an event. */
   record Emit(String event, List<UValue> payload) implements ExternalMessage {}
 
   /** The result of a call. */

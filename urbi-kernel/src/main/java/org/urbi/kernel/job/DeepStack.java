@@ -64,7 +64,7 @@ final class DeepStack {
     }
   }
 
-  /** It was tried, and refused. */
+  /** The virtual machine has refused to put the stack away. */
   void refused() {
     long now = machine.now();
     long turn = turns.getAsLong();

@@ -35,7 +35,7 @@ public final class HoldWatchdog {
 
   private static final long SHORTEST_PAUSE = 250_000;
 
-  /** The same where memory is limited: it can be filled by megabytes in a millisecond. */
+  /** How long it sleeps where memory is limited, which megabytes can fill in a millisecond. */
   private static final long MEMORY_PAUSE = 500_000;
 
   /** The part of the limit that is left while memory is nearly exhausted. */
@@ -297,7 +297,7 @@ public final class HoldWatchdog {
         : Math.min(most, gauges.free.getAsLong() / TURNS_IN_FREE_MEMORY);
   }
 
-  /** The same, however much is free. */
+  /** What the turn of a job may allocate, however much is free. */
   long mostFor(Job job) {
     long most = job.budget().limit(Resource.MEMORY);
     return hurried ? Math.min(most, gauges.memory / HURRIED_PART) : most;

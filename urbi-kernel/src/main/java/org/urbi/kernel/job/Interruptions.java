@@ -126,7 +126,7 @@ public final class Interruptions {
     memory = meter;
   }
 
-  /** It is not counted any more. */
+  /** From now on the memory that jobs allocate is not counted. */
   void measureNothing() {
     memory = null;
     measuredTurn = NONE;

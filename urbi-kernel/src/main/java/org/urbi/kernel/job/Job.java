@@ -385,7 +385,7 @@ public final class Job extends JobFacts implements Runnable {
     checkInjected();
   }
 
-  /** It goes on running, so nothing must wake it. */
+  /** The job goes on at once: takes it out of all queues, so that nothing wakes it later. */
   private void goOn() {
     scheduler.dequeue(this);
     time.endSleep();
@@ -530,7 +530,7 @@ public final class Job extends JobFacts implements Runnable {
     }
   }
 
-  /** It waits no longer. */
+  /** Ends the wait of the job, and queues it. */
   void makeRunnable() {
     state = JobState.RUNNABLE;
     scheduler.enqueue(this);
@@ -569,7 +569,7 @@ public final class Job extends JobFacts implements Runnable {
     inject(TagStop.WHOLE_JOB);
   }
 
-  /** It has been stopped with very many others, and is the next one to learn of it. */
+  /** Ends what this job executes, after a stop that meets very many jobs one after the other. */
   void meetStops() {
     int met = stopsMet;
     Stops stops = scheduler.stops();

@@ -107,7 +107,7 @@ abstract sealed class JobFacts permits Job {
 
   // ------------------------------------------------------------------ where it stands
 
-  /** It is in that many nested calls; to be told of each beyond {@link #DEEP}. */
+  /** Tells that the job is in that many nested calls; called for each beyond {@link #DEEP}. */
   public void noteCalls(int nested) {
     deepest = Math.max(deepest, nested);
     // It may have said where it is, and then not let others run.

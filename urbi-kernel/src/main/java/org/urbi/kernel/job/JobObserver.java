@@ -5,7 +5,7 @@ public interface JobObserver {
   /** The job lets others run. */
   void switchedOut();
 
-  /** It is the job's turn again. */
+  /** The job has its turn again. */
   void switchedIn();
 
   /** The observer of a job that this one starts. */

@@ -60,7 +60,7 @@ public final class MemoryWait {
     }
   }
 
-  /** The same if that is what the code of a job has failed of. */
+  /** Waits for memory, if it was a lack of it that the code of a job has failed of. */
   public void recover(Throwable failure) {
     if (failure instanceof OutOfMemoryError) {
       await();

@@ -10,7 +10,7 @@ final class Newcomers {
   /** The limit of jobs that start and run in one tick: they must not starve the others. */
   private static final int BIRTHS_PER_TICK = 100_000;
 
-  /** The same for those started by jobs of that tick, which may be an endless chain. */
+  /** The limit of jobs started by jobs that are new in that tick: the chain may be endless. */
   private static final int DESCENDANTS_PER_TICK = 1000;
 
   private final RunQueue queue;

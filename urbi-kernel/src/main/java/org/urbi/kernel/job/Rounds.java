@@ -11,9 +11,9 @@ final class Rounds {
   private enum Stage {
     /** No tick has begun. */
     NONE,
-    /** All that can run have their turns. */
+    /** All jobs that can run have their turns. */
     ALL,
-    /** Those behind them have. */
+    /** The jobs that run behind all others have their turns. */
     BEHIND
   }
 
@@ -22,7 +22,7 @@ final class Rounds {
   private final Newcomers newcomers;
   private Stage stage = Stage.NONE;
 
-  /** How many of those that run behind the others are left. */
+  /** How many of the jobs that run behind all others are left. */
   private int behind;
 
   Rounds(Scheduler scheduler, RunQueue runnable, Newcomers newcomers) {
@@ -31,12 +31,12 @@ final class Rounds {
     this.newcomers = newcomers;
   }
 
-  /** Whether those of a tick have begun, and not ended. */
+  /** Whether the rounds of a tick have begun, and not ended. */
   boolean areUnderWay() {
     return stage != Stage.NONE;
   }
 
-  /** Those of a tick begin. */
+  /** Begins the rounds of a tick. */
   void begin() {
     stage = Stage.ALL;
     beginRound(false);
@@ -47,12 +47,12 @@ final class Rounds {
     runnable.beginRound(last);
   }
 
-  /** What is left of them will have its turn in the next tick. */
+  /** Gives the rounds of this tick up: jobs that are left have their turns in the next one. */
   void giveUp() {
     stage = Stage.NONE;
   }
 
-  /** Runs them, or what is left of them. */
+  /** Runs the rounds of this tick, or goes on with them. */
   void run() {
     if (stage == Stage.ALL) {
       runAll(false);

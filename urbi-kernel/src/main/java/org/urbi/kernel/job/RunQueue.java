@@ -33,7 +33,7 @@ class RunQueue {
   /** How long a round may take while others wait, in nanoseconds. */
   private static final long SLICE = 5_000_000;
 
-  /** The same when a timer is due, which only the next round serves. */
+  /** How long a round may take, in nanoseconds, when a timer is due: the next round serves it. */
   private static final long SHORT_SLICE = 1_000_000;
 
   /** For each round a lobby is to blame for, those go first that came so many rounds later. */
@@ -297,7 +297,7 @@ class RunQueue {
     return share;
   }
 
-  /** A test makes it fail for want of memory. */
+  /** The share of a budget; a test makes this fail as if memory was exhausted. */
   Share shareOf(Budget budget) {
     return shares.computeIfAbsent(budget, known -> new Share(sharesMade++, floor + DEBIT));
   }
@@ -347,7 +347,7 @@ class RunQueue {
     left = 0;
   }
 
-  /** Those below it have a credit, and do not count. */
+  /** Raises the floor to the least share above it; shares below it have a credit. */
   private void raiseFloor() {
     long least = Long.MAX_VALUE;
     for (Share share : round) {

@@ -1,18 +1,18 @@
 package org.urbi.kernel.job;
 
-/** The end of what many jobs do, on its way to them. */
+/** Ends what many jobs execute: goes from one scope, handler or job to the next. */
 abstract class Stop {
   private int number;
 
-  /** It is made in pieces, and has a place among those that are. */
+  /** The stop is done in several pieces from now on; given its place among such stops. */
   void beginPieces(int given) {
     number = given;
   }
 
-  /** The pieces are over. */
+  /** The last of the pieces has been done. */
   void endPieces() {}
 
-  /** Its place among those that are made in pieces; 0 if it is not. */
+  /** The place of this stop among those that are done in pieces; 0 if it is done at once. */
   final int number() {
     return number;
   }
@@ -35,7 +35,7 @@ abstract class Stop {
   /** Goes on to the next scope, handler or job; returns false if there was nothing left to do. */
   abstract boolean step();
 
-  /** It is the turn of that job to be ended. */
+  /** The stop has come to that job, which is to end. */
   final void end(Job job) {
     if (number == 0) {
       reach(job);

@@ -15,7 +15,7 @@ final class Stops {
 
   private final Scheduler scheduler;
 
-  /** Those made in pieces, in the order in which they began. */
+  /** The stops that are done in pieces, in the order in which they began. */
   private final Deque<Stop> inPieces = new ArrayDeque<>();
 
   private int begun;

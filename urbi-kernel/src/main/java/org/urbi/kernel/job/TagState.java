@@ -121,19 +121,19 @@ public final class TagState {
   }
 
   /**
-   * The same, but not what jobs have begun whose numbers are greater than that, unless it is within
-   * what is ended.
+   * Ends the code that is running under this tag, but not what jobs with greater numbers than that
+   * have begun, unless it is within what is ended.
    */
   public void stop(Scheduler scheduler, UrbiObject value, long last) {
     scheduler.stops().begin(new StopOfTag(this, value, false, scope -> scope.isOf(last)));
   }
 
-  /** The same, but not what statements of a console have begun whose numbers are greater. */
+  /** Ends it, but not what statements of a console with greater numbers have begun. */
   public void stopStatements(Scheduler scheduler, UrbiObject value, long last) {
     scheduler.stops().begin(new StopOfTag(this, value, false, scope -> !scope.isAfter(last)));
   }
 
-  /** The same without the {@code onleave} clauses of what waits there without a job (handlers). */
+  /** Ends it without the {@code onleave} clauses of handlers, which wait without a job. */
   public void abandon(Scheduler scheduler, UrbiObject value) {
     scheduler.stops().begin(new StopOfTag(this, value, true, scope -> true));
   }

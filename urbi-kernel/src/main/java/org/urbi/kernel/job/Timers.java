@@ -171,7 +171,7 @@ public final class Timers {
       }
     }
 
-    /** The same with all that are due, but no more than so many. */
+    /** Takes out the timers that are due, up to that many, and runs their actions. */
     void fire(long now, int most) {
       for (int i = 0; i < most; i++) {
         Timer first = rows.peek();

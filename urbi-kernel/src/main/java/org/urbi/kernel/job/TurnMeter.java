@@ -58,7 +58,8 @@ public final class TurnMeter {
 
   private final Clock machine;
 
-  // The turns that are kept. To keep one takes no memory: for want of it a job would lose its turn.
+  // The turns that are kept. To keep one takes no memory: if it did, a job could lose its turn when
+  // there is none.
   private final long[] jobs = new long[KEPT];
   private final long[] wakers = new long[WAKERS * KEPT];
   private final long[] begins = new long[KEPT];

@@ -57,7 +57,7 @@ public final class YieldCount {
     return false;
   }
 
-  /** This one passes, and so may those before the next look, but for that many at most. */
+  /** Lets this yield pass, and as many of the next ones, without another look at the queue. */
   void grant(long most) {
     passed++;
     granted = (int) Math.max(0, Math.min(this.most - 1 - count, most));

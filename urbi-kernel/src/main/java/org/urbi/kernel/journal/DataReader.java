@@ -145,7 +145,7 @@ final class DataReader {
     try {
       return new InetSocketAddress(InetAddress.getByAddress(bytes()), (int) number());
     } catch (UnknownHostException e) {
-      throw new RecordingException("has an address that is none");
+      throw new RecordingException("has an invalid address");
     }
   }
 }

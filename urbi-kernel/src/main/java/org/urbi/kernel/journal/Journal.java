@@ -18,7 +18,7 @@ public interface Journal {
   /** Records nothing. */
   Journal NONE = new Journal() {};
 
-  /** The number of none of those that a round of jobs has served. */
+  /** Stands for no lobby at all, where the number of a lobby in a round is expected. */
   int NOBODY = -1;
 
   /** Whether the outside is only a recording, so that nothing must be done there. */
@@ -101,7 +101,7 @@ public interface Journal {
    * Whether a round of jobs is cut short here, because others wait, and by whom; or whether a lobby
    * that could run again in this round may not.
    *
-   * @param jobs how often that was asked in this round, so or so
+   * @param jobs how often this was asked in this round so far, for either of the two reasons
    * @param wanted the number of whom to blame; {@link #NOBODY} if it should go on
    * @return likewise
    */

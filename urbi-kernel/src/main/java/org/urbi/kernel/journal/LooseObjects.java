@@ -21,7 +21,7 @@ public final class LooseObjects<T> {
   /** By their numbers, the oldest first. */
   private final Map<Long, WeakReference<T>> listed = new LinkedHashMap<>(0);
 
-  /** Those that are kept: while somebody looks; in a replay, all. */
+  /** The objects that must not become garbage: while somebody looks; in a replay, all. */
   private final Map<Long, T> kept = new LinkedHashMap<>(0);
 
   private long last;
@@ -61,7 +61,7 @@ public final class LooseObjects<T> {
         });
   }
 
-  /** Those there are, the oldest first. */
+  /** The objects that are not garbage, the oldest first. */
   public List<T> all() {
     if (listed.isEmpty()) {
       return List.of();

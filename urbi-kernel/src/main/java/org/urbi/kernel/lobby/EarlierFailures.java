@@ -20,14 +20,14 @@ import org.urbi.lang.source.Span;
 
 /**
  * What a lobby lacks because something has failed, or was local, so that people are told the cause
- * of what goes wrong for want of it, rather than what to do about each consequence. Of those in a
- * file they are told the first, and how many others there were.
+ * of later errors, rather than what to do about each of them. Of the errors of a file that have the
+ * same cause, they are told the first, and how many others there were.
  */
 public final class EarlierFailures {
   /** How many names, and how many causes that have been told, are remembered. */
   private static final int MOST = 64;
 
-  /** How many names are told of those for want of which something has failed. */
+  /** How many missing names that have caused errors are told. */
   private static final int MOST_TOLD = 6;
 
   /** How far before a failure its declaration is looked for: a program may be one long line. */

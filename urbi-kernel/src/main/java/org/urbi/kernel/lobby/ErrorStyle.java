@@ -8,7 +8,7 @@ public enum ErrorStyle {
   /** And the lines of the source with the place marked, and a hint. */
   EXPLAINED,
 
-  /** The same, in colours. */
+  /** The explained errors, in colours. */
   COLOURED;
 
   private static final String RESET = "\u001B[0m";

@@ -223,7 +223,7 @@ public final class Shell {
     lobby.closeCreated(interpreter.scheduler());
   }
 
-  /** The same, but for the lobbies that its code has made. */
+  /** Ends all that the lobby does, but not the lobbies that its code has made. */
   void closeAlone() {
     closed = true;
     if (!stopped) {
@@ -253,7 +253,7 @@ public final class Shell {
         statement++;
         try {
           if (failedBefore) {
-            // It may fail again, for want of memory: whoever ends it must have a turn.
+            // It may fail again, because memory is exhausted: whoever ends it must have a turn.
             failedBefore = false;
             shell.yieldNow();
           }

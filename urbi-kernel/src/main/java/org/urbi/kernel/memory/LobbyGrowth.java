@@ -112,7 +112,7 @@ public final class LobbyGrowth {
     return score != null && !score.evicted && score.grown >= leastAsked();
   }
 
-  /** Those that have grown less are spared: what was asked for before is far more. */
+  /** How much a lobby must have grown to be asked: far less than the last one is spared. */
   private double leastAsked() {
     return now.getAsLong() - askedAt < PATIENCE ? LITTLE * largestAsked : 0;
   }

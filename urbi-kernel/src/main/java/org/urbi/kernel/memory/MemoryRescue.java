@@ -22,7 +22,7 @@ final class MemoryRescue {
    */
   private static final long NEXT_RELIEF = 1_000_000_000;
 
-  /** The same where memory was not enough for something, so that nobody could go on. */
+  /** The time until the next lobby is ended when so little is left that nobody could go on. */
   private static final long URGENT_RELIEF = 100_000_000;
 
   /** How long freeing memory may take in all, in nanoseconds. */

@@ -16,7 +16,7 @@ import org.urbi.kernel.time.SystemClock;
 public final class MemoryWatchdog {
   private static final long PERIOD_MILLISECONDS = 250;
 
-  /** The same while somebody is about to give back memory. */
+  /** The time between two looks while somebody is about to give back memory. */
   private static final long SHORT_PERIOD_MILLISECONDS = 10;
 
   /** How long somebody who needs memory waits for it to be freed at most, in nanoseconds. */
@@ -156,7 +156,10 @@ public final class MemoryWatchdog {
     }
   }
 
-  /** Loads what is needed where memory is exhausted; then that would fail, and be no more. */
+  /**
+   * Loads the classes that are needed when memory is exhausted: to load them then would fail, and a
+   * class that could not be loaded once is missing for good.
+   */
   private void prepare(HeapUsage heap, WorkTime worked, MemoryUser user) {
     try {
       heap.prepare();

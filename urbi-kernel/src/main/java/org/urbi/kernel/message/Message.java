@@ -33,7 +33,7 @@ public sealed interface Message {
   int to();
 
   /**
-   * What must not be lost for want of memory: a receiver that fails with an {@link
+   * What must not be lost when memory is exhausted: a receiver that fails with an {@link
    * OutOfMemoryError} is given it again, before later messages, and does then what is left to do.
    */
   sealed interface Lasting extends Message {}
@@ -365,13 +365,13 @@ public sealed interface Message {
     int variable();
   }
 
-  /** It wants the variable of that name, maybe as the input of a component. */
+  /** The thread wants the variable of that name, maybe as the input of a component. */
   record VariableWanted(int number, String name, boolean input) implements OfComponent {}
 
-  /** It wants to emit the event of that name. */
+  /** The thread wants to emit the event of that name. */
   record EventWanted(int number, String name) implements OfComponent {}
 
-  /** It wants the UObject, or the hub, of that name. */
+  /** The thread wants the UObject, or the hub, of that name. */
   record ObjectWanted(int number, String name, boolean hub) implements OfComponent {}
 
   /** What can be read of a variable; see {@link urbi.USlot}. */
@@ -382,16 +382,16 @@ public sealed interface Message {
     OUTPUT
   }
 
-  /** It reads a variable. */
+  /** The thread reads a variable. */
   record VariableRead(int number, int variable, Reading what) implements OfVariable {}
 
-  /** It assigns a variable. */
+  /** The thread assigns a variable. */
   record VariableWritten(int number, int variable, UValue value) implements OfVariable {}
 
-  /** It reads a property of a variable. */
+  /** The thread reads a property of a variable. */
   record PropertyRead(int number, int variable, UProperty property) implements OfVariable {}
 
-  /** It assigns a property of a variable. */
+  /** The thread assigns a property of a variable. */
   record PropertyWritten(int number, int variable, UProperty property, UValue value)
       implements OfVariable {}
 
@@ -402,16 +402,16 @@ public sealed interface Message {
     RTP
   }
 
-  /** It changes how a variable is used. */
+  /** The thread changes how a variable is used. */
   record VariableUsed(int number, int variable, Use use, boolean on) implements OfVariable {}
 
-  /** It ends all notifications of a variable. */
+  /** The thread ends all notifications of a variable. */
   record VariableUnnotified(int number, int variable) implements OfVariable {}
 
-  /** It starts that class of UObjects, which a replay looks for under that name of Java. */
+  /** The thread starts that class of UObjects, which a replay looks for under that name of Java. */
   record ClassStarted(int number, String name) implements OfComponent {}
 
-  /** It locks the kernel; what it asks from then on goes to that receiver. */
+  /** The thread locks the kernel; what it asks from then on goes to that receiver. */
   record KernelLocked(int number, int lock) implements OfComponent {}
 
   /** What a thread asks for that has locked the kernel. */
@@ -420,7 +420,9 @@ public sealed interface Message {
   /** A thread has unlocked the kernel, or has ended. */
   record KernelUnlocked(int to) implements Message {}
 
-  /** It asks for what only its own objects and code can say: a replay does not have them. */
+  /**
+   * The thread asks for what only its own objects and code can say: a replay does not have them.
+   */
   record ComponentRequest(int number) implements OfComponent {}
 
   // ------------------------------------------------------------------ the program around
@@ -451,7 +453,7 @@ public sealed interface Message {
   }
 
   /**
-   * It evaluates source text.
+   * The program evaluates source text.
    *
    * @param object that is {@code this} of the text
    * @param file the name by which errors call it, or null
@@ -460,7 +462,7 @@ public sealed interface Message {
       implements OfObject {}
 
   /**
-   * It calls a function.
+   * The program calls a function.
    *
    * @param function the name of a method of the object; of the lobby, the way to it
    * @param arguments a List
@@ -469,37 +471,37 @@ public sealed interface Message {
       implements OfObject {}
 
   /**
-   * It calls an object, which is a function.
+   * The program calls an object, which is a function.
    *
    * @param arguments a List
    */
   record ObjectCalled(int number, int object, Data arguments) implements OfObject {}
 
-  /** It reads a slot. */
+  /** The program reads a slot. */
   record SlotRead(int number, int object, String slot) implements OfObject {}
 
-  /** It assigns a slot, or creates it. */
+  /** The program assigns a slot, or creates it. */
   record SlotWritten(int number, int object, String slot, Data value) implements OfObject {}
 
-  /** It asks whether there is a slot. */
+  /** The program asks whether there is a slot. */
   record SlotSought(int number, int object, String slot) implements OfObject {}
 
-  /** It removes a slot. */
+  /** The program removes a slot. */
   record SlotRemoved(int number, int object, String slot) implements OfObject {}
 
-  /** It asks for the names of all slots. */
+  /** The program asks for the names of all slots. */
   record SlotsListed(int number, int object) implements OfObject {}
 
-  /** It asks for an object as text. */
+  /** The program asks for an object as text. */
   record ObjectShown(int number, int object) implements OfObject {}
 
-  /** It asks for its lobby, or for a new object that inherits from it. */
+  /** The program asks for its lobby, or for a new object that inherits from it. */
   record ScopeWanted(int number, boolean fresh) implements OfProgram {}
 
-  /** It listens to the event that an expression gives, or to the changes of its value. */
+  /** The program listens to the event that an expression gives, or to the changes of its value. */
   record Listened(int number, String expression, boolean changes) implements OfProgram {}
 
-  /** It defines a function that is written in Java, which a replay does not have. */
+  /** The program defines a function that is written in Java, which a replay does not have. */
   record FunctionDefined(int number, String name) implements OfProgram {}
 
   /** The embedding program cancels a request or removes a listener. */

@@ -32,7 +32,7 @@ abstract class CallAccess extends FrameAccess {
         : frame;
   }
 
-  /** The same for a function with variables that others can reach. */
+  /** The frame of a call of a function with variables that closures or other jobs can reach. */
   protected static Frame frameWithCells(
       @Nullable Frame frame, Frame caller, Function called, CallSite at, UrbiObject self) {
     return frame == null ? caller.call(at, self, called, Frame.NO_ARGUMENTS) : frame;

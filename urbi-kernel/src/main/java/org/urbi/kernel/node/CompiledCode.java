@@ -74,7 +74,7 @@ public abstract class CompiledCode extends CallAccess {
     throw new UnsupportedOperationException();
   }
 
-  /** The same with one parameter. */
+  /** Calls the function with one argument. */
   public @Nullable UrbiObject call(
       Function called,
       Frame caller,
@@ -85,7 +85,7 @@ public abstract class CompiledCode extends CallAccess {
     throw new UnsupportedOperationException();
   }
 
-  /** The same with two parameters. */
+  /** Calls the function with two arguments. */
   public @Nullable UrbiObject call(
       Function called,
       Frame caller,
@@ -98,7 +98,7 @@ public abstract class CompiledCode extends CallAccess {
     throw new UnsupportedOperationException();
   }
 
-  /** The same with three parameters. */
+  /** Calls the function with three arguments. */
   public @Nullable UrbiObject call(
       Function called,
       Frame caller,

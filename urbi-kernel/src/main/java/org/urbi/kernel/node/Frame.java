@@ -127,7 +127,7 @@ public final class Frame implements Place {
     return call(from, target, called, arguments, called.layout().newCells());
   }
 
-  /** The same with the variables that closures or other jobs can reach. */
+  /** The frame of a call, with the variables that closures or other jobs can reach. */
   Frame call(
       CallSite from, UrbiObject target, Function called, UrbiObject[] arguments, Cell[] shared) {
     return new Frame(

@@ -69,7 +69,7 @@ abstract class FrameAccess extends Node {
     }
   }
 
-  /** Likewise for a variable that begins here. */
+  /** Writes the first value of a variable, which nobody else can reach yet, and returns it. */
   protected static UrbiObject begin(
       double number, @Nullable UrbiObject object, Frame frame, int index) {
     UrbiObject value = object(number, object, frame.interpreter.values());

@@ -307,7 +307,7 @@ public final class Interpreter {
     }
   }
 
-  /** The same for a message whose slot is looked for in one place of the code. */
+  /** Sends a message whose slot is always looked for at the same place of the code. */
   UrbiObject send(Frame caller, UrbiObject target, SlotLookup lookup, UrbiObject... arguments) {
     beginSend(caller);
     try {
@@ -425,7 +425,7 @@ public final class Interpreter {
     return value;
   }
 
-  /** The same; null if there is no such slot. */
+  /** The stored value of a slot, as {@link #getRaw}; null if there is no such slot. */
   public @Nullable UrbiObject findRaw(UrbiObject target, Symbol name) {
     return SlotLookup.findRaw(target, name);
   }

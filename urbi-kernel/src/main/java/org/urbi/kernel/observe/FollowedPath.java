@@ -58,7 +58,7 @@ final class FollowedPath extends FollowedSlot implements Dependencies.Watcher {
     }
   }
 
-  /** It is always watched: the path leads elsewhere when an object on the way is replaced. */
+  /** A path is always watched: it leads elsewhere when an object on the way is replaced. */
   @Override
   void listen(boolean on) {}
 

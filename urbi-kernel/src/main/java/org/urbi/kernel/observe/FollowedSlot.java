@@ -45,7 +45,7 @@ abstract class FollowedSlot {
     listen(followed || !isTold());
   }
 
-  /** It is known from now on, and followed at once if the feed follows all. */
+  /** The slot is known from now on, and followed at once if the feed follows all. */
   final void begin() {
     UrbiObject value = now();
     if (value != null) {
@@ -64,7 +64,7 @@ abstract class FollowedSlot {
     review();
   }
 
-  /** It has a value. */
+  /** The slot has that value now. */
   final void seen(UrbiObject value) {
     Object copy = SeenValue.of(value);
     VariableKind before = kind;
@@ -90,7 +90,7 @@ abstract class FollowedSlot {
     review();
   }
 
-  /** It has a better name. */
+  /** The slot has been found under a better name. */
   final void rename(String better) {
     VariableKind as = kind;
     if (better.equals(path)) {

@@ -311,7 +311,7 @@ public final class Outside implements Closeable {
     closeQuietly(resource);
   }
 
-  /** It is closed. */
+  /** Whoever has closed a resource tells so: it need not be closed with the kernel. */
   public void closed(Closeable resource) {
     synchronized (open) {
       open.remove(resource);

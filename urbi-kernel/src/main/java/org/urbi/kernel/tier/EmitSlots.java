@@ -152,7 +152,7 @@ final class EmitSlots {
     return to.number(value, otherwise);
   }
 
-  /** The same for a slot of the target itself, in which nobody sees the object of a number. */
+  /** Reads the number in a slot of the target itself, without making an object of it. */
   private int unseenNumber(Shape shape, int index, int target, Label otherwise) {
     to.doubt(otherwise);
     to.code.aload(target);

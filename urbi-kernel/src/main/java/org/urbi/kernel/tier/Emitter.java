@@ -306,7 +306,7 @@ final class Emitter extends CodeWriter {
     return result;
   }
 
-  /** The same for a condition, after which the code goes on if it holds. */
+  /** Emits a condition that is not compiled; the code goes on behind it if it holds. */
   void unknownCondition(Node node, Label otherwise) {
     int holds = newFlag();
     beside(
@@ -334,7 +334,7 @@ final class Emitter extends CodeWriter {
     return beside(Survey.of(executed), emitted);
   }
 
-  /** The same for what a survey tells of. */
+  /** Emits code that sees the variables in the frame, where a survey tells what it may change. */
   Value beside(Survey inside, Runnable emitted) {
     BitSet changed = changedBy(inside);
     for (Value variable : variables) {

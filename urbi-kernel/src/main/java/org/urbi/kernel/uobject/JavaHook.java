@@ -28,7 +28,7 @@ final class JavaHook implements Hook {
   /** Converts the urbiscript value, if the function takes it, and calls the function. */
   private final @Nullable MethodHandle whole;
 
-  /** The same for a value that was not copied; null if the function takes no value. */
+  /** Converts a value that was not copied, and calls the function; null if it takes none. */
   private final @Nullable MethodHandle uncopied;
 
   JavaHook(PluggedContext context, UCallback callback) {

@@ -191,7 +191,7 @@ final class KernelCrossing {
     return there(inKernel(task, what));
   }
 
-  /** Likewise, for what is asked of a variable. */
+  /** Has the kernel do what is asked of a variable, and returns its result. */
   <T> T fromKernel(
       Function<Frame, T> task, PluggedSlot slot, IntFunction<? extends Message.OfComponent> what) {
     return there(inKernel(task, slot, what));

@@ -17,7 +17,7 @@ public final class KnownVariables implements UrbiObject.Companion {
     all = new LooseObjects<>(journal);
   }
 
-  /** Those of that kernel; the prototype of all variables keeps them. */
+  /** The variables of that kernel; the prototype of all variables keeps the list. */
   public static KnownVariables of(Interpreter interpreter) {
     UrbiObject prototype = interpreter.world().prototype("UVar");
     if (prototype.companion() instanceof KnownVariables known) {

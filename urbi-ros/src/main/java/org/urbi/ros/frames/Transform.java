@@ -16,13 +16,14 @@ public record Transform(double x, double y, double z, double qx, double qy, doub
   /**
    * The same with a quaternion of length 1.
    *
-   * @throws FrameException if it has no direction, or a number is none
+   * @throws FrameException if it has no direction, or one of the numbers is NaN or infinite
    */
   public Transform normalized() {
     double length = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
     double sum = x + y + z + length;
     if (Double.isNaN(sum) || Double.isInfinite(sum) || length < 1e-6) {
-      throw new FrameException("a rotation without a direction, or a number that is none");
+      throw new FrameException(
+          "a rotation without a direction, or a number that is NaN or infinite");
     }
     return new Transform(x, y, z, qx / length, qy / length, qz / length, qw / length);
   }

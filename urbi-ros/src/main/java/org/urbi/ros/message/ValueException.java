@@ -5,7 +5,7 @@ public class ValueException extends IllegalArgumentException {
   private final String path;
   private final String reason;
 
-  /** What is wrong with a value whose place those add who know it. */
+  /** What is wrong with a value; the callers that know its field add it with {@link #within}. */
   public ValueException(String reason) {
     this("", reason);
   }

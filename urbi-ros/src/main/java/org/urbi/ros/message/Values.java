@@ -5,8 +5,8 @@ import urbi.UDataType;
 import urbi.UValue;
 
 /**
- * Whether values are what a field holds. What is wrong is said without the name of the field, which
- * those add who know it.
+ * Checks whether a value fits the type of a field. The errors do not name the field: the caller
+ * knows it, and adds its name.
  */
 public final class Values {
   /** From here on not every whole number is a number of urbiscript. */

@@ -13,15 +13,15 @@ import urbi.thread.InternalFailure;
  * that one of them meets ends that: no defect, and no lack of memory, threads or files.
  */
 public final class AcceptLoop implements Runnable {
-  /** Those who connect. */
+  /** Decides what becomes of each connection. */
   public interface Clients {
-    /** Whether it is to be served; on the thread that accepts. */
+    /** Whether a client that has just connected is to be served; on the thread that accepts. */
     boolean arrives(Socket client) throws IOException;
 
-    /** Serves it until it goes, or is let go, which it knows; on a thread of its own. */
+    /** Serves a client until one of both sides ends the connection; on a thread of its own. */
     void serve(Socket client) throws IOException;
 
-    /** It is not served, or not any more: the last that is told of it. */
+    /** A client was refused, or its service has ended; nothing else is called for it. */
     void leaves(Socket client);
   }
 

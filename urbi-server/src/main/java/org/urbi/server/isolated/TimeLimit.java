@@ -7,8 +7,8 @@ import java.util.function.Function;
 import org.urbi.kernel.log.FailureLog;
 
 /**
- * What happens to a process that takes too long. It must happen also where no thread can be had any
- * more: then of all times a process may have stopped for want of something.
+ * What happens to a process that takes too long. It must happen also when no thread can be made any
+ * more: what lacks then may be the very reason why the process takes so long.
  */
 final class TimeLimit {
   private TimeLimit() {}

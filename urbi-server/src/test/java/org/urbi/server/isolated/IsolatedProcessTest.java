@@ -17,7 +17,9 @@ import org.urbi.kernel.Kernel;
 import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 
-/** A process of a module to which nobody can attend, for want of a thread, does not run. */
+/**
+ * A process of a module to which nobody can attend, because no thread could be made, does not run.
+ */
 class IsolatedProcessTest {
   @TempDir Path folder;
 

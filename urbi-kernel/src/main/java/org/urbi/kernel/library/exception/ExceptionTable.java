@@ -64,7 +64,7 @@ final class ExceptionTable extends BuiltinTable {
       return new Shown(doc, (frame, self) -> filled(frame, self, problem));
     }
 
-    /** The same behind the routine that has thrown it. */
+    /** The name of the routine that has thrown it, then the text of a problem. */
     static Shown inRoutine(String doc, Problem problem) {
       return new Shown(
           doc,

@@ -26,7 +26,7 @@ public final class ExceptionTypes {
   private static final String WRONG = "What is wrong.";
   private static final String BAD_NUMBER = "Exception.BadNumber";
 
-  /** They need nothing of a kernel: all kernels have the same. */
+  /** The tables, which all kernels share: they need nothing of a kernel. */
   private static final List<BuiltinTable> TABLES = rows();
 
   private ExceptionTypes() {}

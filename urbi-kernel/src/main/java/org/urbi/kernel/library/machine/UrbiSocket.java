@@ -122,7 +122,7 @@ final class UrbiSocket extends UrbiObject {
         || locate(world.symbol("receive")) != world.prototype("Socket");
   }
 
-  /** It has no connection any more. */
+  /** The connection of the socket has ended. */
   void disconnected(Frame frame) {
     SocketConnection was = link;
     link = null;

@@ -19,7 +19,7 @@ public final class TrajectoryKinds {
   private static final String OPEN_LOOP = "TrajectoryGenerator.OpenLoop";
   private static final String CLOSED_LOOP = "TrajectoryGenerator.ClosedLoop";
 
-  /** They need nothing of a kernel: all kernels have the same. */
+  /** The tables, which all kernels share: they need nothing of a kernel. */
   private static final List<BuiltinTable> TABLES = rows();
 
   private TrajectoryKinds() {}

@@ -40,10 +40,10 @@ public final class Finalization {
   private final Runnable collector;
   private final ConcurrentLinkedQueue<Reclaimable> reclaimed = new ConcurrentLinkedQueue<>();
 
-  /** Those that code of owners has made, and that have not been found, by their numbers. */
+  /** The objects that code of owners has made, and that have not been found, by their numbers. */
   private final Map<Long, WeakReference<Reclaimable>> ofOwners = new HashMap<>();
 
-  /** Those that were found, and are to be finalized; in a replay, all. */
+  /** The objects that were found, and are to be finalized; in a replay, all. */
   private final TreeMap<Long, Reclaimable> kept = new TreeMap<>();
 
   private long created;

@@ -237,7 +237,7 @@ final class Help {
     return value instanceof Function function ? name + parameters(function) : name;
   }
 
-  /** Those in parentheses; a lazy function has none. */
+  /** The parameters of a function, in parentheses; nothing for a lazy function. */
   private static String parameters(Function function) {
     return function.source().formals() == null
         ? ""

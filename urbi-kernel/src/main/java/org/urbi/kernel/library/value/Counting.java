@@ -90,7 +90,7 @@ public final class Counting {
     return counted;
   }
 
-  /** The same for any number. */
+  /** An index from 0 to the size, excluded, given as a number, which must be whole. */
   public static int index(Frame caller, CallSite site, UrbiFloat index, int size) {
     return index(caller, site, index(caller, site, index), size);
   }
