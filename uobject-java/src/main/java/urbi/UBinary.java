@@ -56,7 +56,7 @@ public final class UBinary {
     this("", data);
   }
 
-  /** The same header, and a copy of the data. */
+  /** A copy of a binary: its header, and a copy of its data. */
   public UBinary(UBinary other) {
     this(other.message, other.getData().clone());
   }

@@ -72,7 +72,7 @@ public class UEvent {
     emitter.emit(values);
   }
 
-  /** The same as {@link #emit}. */
+  /** Emits the event, as {@link #emit} does. */
   public void trigger(Object... payload) {
     emit(payload);
   }

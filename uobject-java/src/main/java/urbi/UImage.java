@@ -27,7 +27,7 @@ public final class UImage {
     setData(data);
   }
 
-  /** The same image, with the same data. */
+  /** A copy of an image, which shares its data. */
   public UImage(UImage other) {
     this(other.format, other.width, other.height, other.data);
   }

@@ -115,7 +115,7 @@ public class UModule {
     classes.forEach(context::start);
   }
 
-  /** It is no longer used in a context. */
+  /** The module is no longer used in a context. */
   public final void leave(UContext context) {
     if (contexts.remove(context) && contexts.isEmpty()) {
       whenLeft.run();

@@ -122,7 +122,7 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
     return 0;
   }
 
-  /** The same as the one with a double. */
+  /** Calls {@code update} periodically, as {@link #USetUpdate(double)} does. */
   public void USetUpdate(Duration period) {
     USetUpdate(period.toNanos() / MILLISECOND_NANOSECONDS);
   }
@@ -138,12 +138,12 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
     return setTimer(period, object, Methods.find(object.getClass(), methodName));
   }
 
-  /** The same, for an overloaded method. */
+  /** Calls a method of an object periodically, which is found by the types of its parameters. */
   public String USetTimer(double period, Object object, String methodName, String[] argumentTypes) {
     return setTimer(period, object, Methods.find(object.getClass(), methodName, argumentTypes));
   }
 
-  /** The same, for a given method. */
+  /** Calls that method of an object periodically. */
   public String USetTimer(double period, Object object, Method method) {
     return setTimer(period, object, method);
   }

@@ -42,7 +42,7 @@ public final class USound {
     setData(data);
   }
 
-  /** The same sound, with the same data. */
+  /** A copy of a sound, which shares its data. */
   public USound(USound other) {
     this(
         other.format, other.channels, other.rate, other.sampleSize, other.sampleFormat, other.data);

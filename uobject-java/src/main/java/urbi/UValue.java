@@ -22,7 +22,7 @@ public final class UValue {
     clear();
   }
 
-  /** The same as another; lists, dictionaries and binaries are shared with it. */
+  /** A copy of a value, which shares its list, dictionary or binary. */
   public UValue(UValue other) {
     set(other);
   }

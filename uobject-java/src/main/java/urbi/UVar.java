@@ -75,7 +75,7 @@ public class UVar {
     init(object.get__name(), slot, object.getUContext());
   }
 
-  /** The same variable as another. */
+  /** A second handle of the same variable. */
   public UVar(UVar other) {
     this();
     other.check();
@@ -129,7 +129,7 @@ public class UVar {
     return bound;
   }
 
-  /** It is no longer used; reading or writing it is an error from now on. */
+  /** Ends the use of the variable; reading or writing it is an error from now on. */
   public void close() {
     USlot bound = slot;
     if (bound != null) {

@@ -5,7 +5,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import urbi.spi.ComponentFailureLog;
 
-/** Those who are told what the server shows: each, whatever another one throws. */
+/** Tells listeners what the server shows: each of them, whatever another one throws. */
 final class OutputListeners {
   private final ComponentFailureLog failureLog;
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();

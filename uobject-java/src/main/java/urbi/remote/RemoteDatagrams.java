@@ -108,7 +108,7 @@ final class RemoteDatagrams implements AutoCloseable {
     }
   }
 
-  /** It is not loaded there, or not any more; it may be later. */
+  /** The kernel takes no datagrams: its module is not loaded, or not any more; it may be later. */
   private synchronized void refused(String why) {
     end();
     fails(why);

@@ -19,7 +19,7 @@ import java.util.function.Consumer;
  * then whoever depends on the thread is told. None keeps the program running.
  */
 public final class GuardedThreads {
-  /** Those of components and clients, which log to {@link System.Logger}. */
+  /** Makes the threads of components and clients; failures go to {@link System.Logger}. */
   public static final GuardedThreads SDK = new GuardedThreads(InternalFailure::log);
 
   private final BiConsumer<String, Throwable> log;

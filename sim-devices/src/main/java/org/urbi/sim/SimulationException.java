@@ -14,7 +14,7 @@ public class SimulationException extends IllegalStateException {
     super(message, cause);
   }
 
-  /** It is a message for people, who do not want to know where in this module it was thrown. */
+  /** No stack trace: people do not want to know where in this module it was thrown. */
   @Override
   public synchronized Throwable fillInStackTrace() {
     return this;

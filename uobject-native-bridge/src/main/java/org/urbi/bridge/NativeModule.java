@@ -221,7 +221,7 @@ public final class NativeModule implements AutoCloseable {
     }
   }
 
-  /** Those that it has made. */
+  /** The threads that the module has made. */
   NativeThreads threads() {
     return threads;
   }

@@ -12,7 +12,7 @@ public final class NativeThreads {
   /** What threads of C++ are called in Java. */
   static final String NAME = "urbi-native";
 
-  /** Those of all modules. */
+  /** The threads of all modules. */
   private static final Set<Thread> ALL = ConcurrentHashMap.newKeySet();
 
   private final Set<Thread> own = ConcurrentHashMap.newKeySet();

@@ -165,13 +165,13 @@ public final class SimWorld extends UObject implements AutoCloseable {
     startTimer();
   }
 
-  /** It is to halt, or to go on. */
+  /** The world is to halt, or to go on. */
   public void pausedChanged() {
     advance();
     pace.pause(now(), paused.booleanValue());
   }
 
-  /** It is to go on faster, or slower. */
+  /** The world is to go on faster, or slower. */
   public void speedChanged() {
     advance();
     try {

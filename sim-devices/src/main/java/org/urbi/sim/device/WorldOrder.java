@@ -26,7 +26,7 @@ sealed interface WorldOrder {
 
   /** Some steps are to be gone on at once. */
   record Step(int count) implements WorldOrder {
-    /** It holds the kernel meanwhile. */
+    /** The most steps of one order, which holds the kernel meanwhile. */
     private static final int MOST = 1000;
 
     @Override

@@ -57,7 +57,7 @@ public record Rotation(double w, double x, double y, double z) {
     return StrictMath.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
   }
 
-  /** The same, of length 1 again. */
+  /** This rotation as a quaternion of length 1. */
   public Rotation normalized() {
     double length = Math.sqrt(w * w + x * x + y * y + z * z);
     return new Rotation(w / length, x / length, y / length, z / length);

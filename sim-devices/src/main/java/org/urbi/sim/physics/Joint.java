@@ -117,7 +117,7 @@ public final class Joint {
     lastAngle = now;
   }
 
-  /** It has not turned: its bodies are where they were when it was made. */
+  /** Resets the angle: the bodies are where they were when the joint was made. */
   void restart() {
     angle = 0;
     lastAngle = 0;

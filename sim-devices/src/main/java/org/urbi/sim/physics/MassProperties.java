@@ -11,7 +11,7 @@ import org.urbi.sim.physics.BodyDescription.Part;
  * @param inertia Ixx, Iyy, Izz, Ixy, Ixz, Iyz, in kg·m²
  */
 record MassProperties(double mass, Vec3 centre, double[] inertia) {
-  /** Those of parts of one density that overlap nowhere. */
+  /** The properties of parts of one density that overlap nowhere. */
   static MassProperties of(double mass, List<Part> parts) {
     double volume = parts.stream().mapToDouble(p -> p.shape().volume()).sum();
     Vec3 centre = Vec3.ZERO;

@@ -19,7 +19,7 @@ public record Appearance(
     return new Appearance(colour, null, 1, 0, 0);
   }
 
-  /** The same, glowing. */
+  /** A copy that glows. */
   public Appearance glowing(Colour light, double strength) {
     return new Appearance(light, null, tile, shine, strength);
   }

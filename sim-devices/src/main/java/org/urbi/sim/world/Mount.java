@@ -22,7 +22,7 @@ public sealed interface Mount {
     return carrier == null ? pose() : carrier.pose().apply(pose());
   }
 
-  /** It looks along its x axis. */
+  /** A camera, which looks along its x axis. */
   record Camera(String name, @Nullable Body body, Pose pose, Lens lens) implements Mount {}
 
   /**

@@ -13,7 +13,7 @@ import org.urbi.lang.source.Span;
 public final class LocalDeclarations {
   private LocalDeclarations() {}
 
-  /** Those of a statement, with the places of their declarations. */
+  /** The local variables that a statement declares, with the places where it does. */
   public static Map<String, Span> in(Ast statement) {
     Map<String, Span> found = new LinkedHashMap<>();
     // What is declared in the braces of a class is a slot.

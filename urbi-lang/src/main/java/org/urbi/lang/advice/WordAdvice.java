@@ -50,7 +50,7 @@ final class WordAdvice {
           Map.entry("wait", "sleep(…)"),
           Map.entry("is", "=="));
 
-  /** Those that do not only begin a statement. */
+  /** Foreign words that do not only begin a statement. */
   private static final Set<String> WITHIN = Set.of("is", "until", "instanceof", "typeof");
 
   private static final Set<String> DECLARING = Set.of("var", "function", "class");

@@ -2,7 +2,7 @@ package org.urbi.lang.grammar;
 
 /** Checks regularly in long loops whether to continue. */
 public final class Checkpoint {
-  /** It goes on. */
+  /** Lets the parser go on. */
   static final Checkpoint NONE = new Checkpoint(() -> {});
 
   /** The number of steps between two checks; a power of two. */

@@ -6,7 +6,7 @@ class BridgeException extends RuntimeException {
     super(message);
   }
 
-  /** It is a message for people, who do not want to know where in this module it was thrown. */
+  /** No stack trace: people do not want to know where in this module it was thrown. */
   @Override
   public synchronized Throwable fillInStackTrace() {
     return this;

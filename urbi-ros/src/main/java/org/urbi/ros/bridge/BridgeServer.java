@@ -44,7 +44,7 @@ public final class BridgeServer implements AutoCloseable {
   private final Consumer<String> people;
   private final Set<Socket> clients = ConcurrentHashMap.newKeySet();
 
-  /** Those who have not been let in yet, in the order in which they came. */
+  /** Clients that have not been let in yet, in the order in which they came. */
   private final Set<Socket> waiting = new LinkedHashSet<>();
 
   private BridgeServer(

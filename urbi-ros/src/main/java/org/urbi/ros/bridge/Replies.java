@@ -75,7 +75,7 @@ final class Replies {
     pieces.forEach(piece -> outbox.publish(WebSocket.Frame.text(piece), subscription, most));
   }
 
-  /** The same, in CBOR. */
+  /** Sends a message of a topic, in CBOR. */
   void publish(byte[] cbor, Operation asked, Object subscription) {
     outbox.publish(WebSocket.Frame.binary(cbor), subscription, asked.count("queue_length"));
   }

@@ -6,7 +6,7 @@ public class CodecException extends RuntimeException {
     super(message);
   }
 
-  /** It tells of bytes that others have sent, maybe many thousand times a second. */
+  /** No stack trace: others may send such bytes many thousand times a second. */
   @Override
   public synchronized Throwable fillInStackTrace() {
     return this;

@@ -57,7 +57,7 @@ public final class MessageCodec {
     return encode(value, ByteOrder.LITTLE_ENDIAN);
   }
 
-  /** The same in an order of bytes, which makes a difference to ROS 2 only. */
+  /** Encodes a message in that order of bytes, which only ROS 2 has. */
   byte[] encode(UDictionary value, ByteOrder order) {
     boolean cdr = type.dialect() == Dialect.ROS_2;
     Output out =

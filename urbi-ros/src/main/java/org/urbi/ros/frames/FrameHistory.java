@@ -31,7 +31,7 @@ final class FrameHistory {
     this.frame = frame;
   }
 
-  /** It is there from now on, for all times. */
+  /** The frame is at that place, at all times. */
   void fix(Place place) {
     places.clear();
     places.put(0L, place);
@@ -43,7 +43,7 @@ final class FrameHistory {
     return fixed;
   }
 
-  /** It was there at a time; what is too old is not kept. */
+  /** The frame was at that place at a time; what is too old is not kept. */
   void add(long time, Place place) {
     if (fixed) {
       places.clear();

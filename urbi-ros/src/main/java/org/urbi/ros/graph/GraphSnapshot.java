@@ -75,7 +75,7 @@ public record GraphSnapshot(
     return text.substring(0, text.length() - end.length());
   }
 
-  /** The same without what ROS 2 hides from people: names with a part that begins with _. */
+  /** A copy without what ROS 2 hides from people: names with a part that begins with _. */
   public GraphSnapshot visible() {
     SortedMap<String, NodeInfo> people = new TreeMap<>();
     nodes.forEach((name, node) ->

@@ -25,12 +25,12 @@ public record Qos(
   /** For what seldom changes, as maps. */
   public static final Qos LATCHED = new Qos(true, true, 1, Duration.ZERO, false);
 
-  /** The same with that delivery. */
+  /** A copy with that delivery. */
   public Qos with(boolean isReliable, boolean isKeptForLate) {
     return new Qos(isReliable, isKeptForLate, depth, deadline, false);
   }
 
-  /** The same; where all messages wait, so many at most. */
+  /** A copy in which so many messages wait at most, if all of them wait. */
   public Qos atMost(int most) {
     return depth > 0 ? this : new Qos(reliable, keptForLate, most, deadline, false);
   }

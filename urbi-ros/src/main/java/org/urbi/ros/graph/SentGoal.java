@@ -14,7 +14,7 @@ public abstract class SentGoal implements ActionClient.Goal {
     this.listener = listener;
   }
 
-  /** It was refused, or nobody is there any more who would tell of it. */
+  /** The goal was refused, or nobody is there any more who would tell of it. */
   public void fail(Throwable reason) {
     accepted.completeExceptionally(reason);
     outcome.completeExceptionally(reason);
@@ -25,7 +25,7 @@ public abstract class SentGoal implements ActionClient.Goal {
     accepted.complete(null);
   }
 
-  /** It has ended. */
+  /** The goal has ended. */
   public final void end(ActionClient.Outcome how) {
     outcome.complete(how);
   }

@@ -16,13 +16,13 @@ public class ValueException extends IllegalArgumentException {
     this.reason = reason;
   }
 
-  /** The same in a field of that name, or in an element: {@code [3]}. */
+  /** What is wrong within the field of that name, or the element {@code [3]}. */
   public ValueException within(String step) {
     String separator = path.isEmpty() || path.startsWith("[") ? "" : ".";
     return new ValueException(step + separator + path, reason);
   }
 
-  /** It is a message for people, who do not want to know where in this module it was thrown. */
+  /** No stack trace: people do not want to know where in this module it was thrown. */
   @Override
   public synchronized Throwable fillInStackTrace() {
     return this;

@@ -214,7 +214,7 @@ final class OneActionClient implements ActionClient {
       }
     }
 
-    /** It has ended; the result comes by another way, if at all. */
+    /** The goal has ended; its result comes by another topic, if at all. */
     private void awaitResult() {
       if (!hasEnded.getAndSet(true)) {
         LATER.execute(

@@ -218,7 +218,7 @@ final class OneActionServer implements ActionServer {
       return new UDictionary().with("goal_id", goalId).with("status", number).with("text", text);
     }
 
-    /** It is pursued from now on, if it has not ended at once. */
+    /** The goal is pursued from now on, if it has not ended at once. */
     void begin() {
       boolean wasAsked;
       synchronized (OneActionServer.this) {

@@ -30,12 +30,12 @@ final class Endpoints {
    */
   record Endpoint(String id, String node, String type, Delivery.Offer offer) {}
 
-  /** Those who publish a topic. */
+  /** The publishers of a topic. */
   static List<Endpoint> publishers(Session session, String topic) {
     return read(session, "rcl_get_publishers_info_by_topic", topic);
   }
 
-  /** Those who subscribe to a topic. */
+  /** The subscribers of a topic. */
   static List<Endpoint> subscriptions(Session session, String topic) {
     return read(session, "rcl_get_subscriptions_info_by_topic", topic);
   }

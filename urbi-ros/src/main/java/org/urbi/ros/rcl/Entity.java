@@ -64,7 +64,7 @@ final class Entity implements AutoCloseable {
     if (!closed) action.accept(memory);
   }
 
-  /** The same, only for those who hold the lock of {@link #use}. */
+  /** Memory for bytes that the entity sends, for code that holds the lock of {@link #use}. */
   SerializedBytes bytes() {
     return bytes;
   }

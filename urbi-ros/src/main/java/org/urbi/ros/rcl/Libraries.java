@@ -21,7 +21,7 @@ final class Libraries {
   private static final int LAZY = 1;
   private static final String MISSING = ": cannot open shared object file";
 
-  /** Those of the system. */
+  /** The functions of the libraries of the system. */
   private static final CFunctions SYSTEM =
       new CFunctions(
           name -> Linker.nativeLinker().defaultLookup().find(name).orElse(MemorySegment.NULL));

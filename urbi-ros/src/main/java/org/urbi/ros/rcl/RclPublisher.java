@@ -28,7 +28,7 @@ final class RclPublisher implements Publisher {
   private final Matches matches;
   private final Runnable stopsSeeking;
 
-  /** Those who were told of, by what no other one has; only for the thread of the graph. */
+  /** The subscribers that were told of, by what identifies each; for the thread of the graph. */
   private final Map<String, String> subscribed = new HashMap<>();
 
   RclPublisher(RclNode node, String topic, MessageType type, Qos qos, Listener listener) {

@@ -54,22 +54,22 @@ public record EndpointQos(
       throw new IllegalArgumentException("deadline, lifespan and lease have to be positive");
   }
 
-  /** The same, which readers that come later get what is kept of. */
+  /** A copy of which readers that come later get what is kept. */
   public EndpointQos asTransientLocal() {
     return new EndpointQos(reliable, true, depth, deadline, lifespan, liveliness, lease);
   }
 
-  /** The same with that deadline, in nanoseconds. */
+  /** A copy with that deadline, in nanoseconds. */
   public EndpointQos withDeadline(long nanos) {
     return new EndpointQos(reliable, transientLocal, depth, nanos, lifespan, liveliness, lease);
   }
 
-  /** The same whose samples are of no use after so many nanoseconds. */
+  /** A copy whose samples are of no use after so many nanoseconds. */
   public EndpointQos withLifespan(long nanos) {
     return new EndpointQos(reliable, transientLocal, depth, deadline, nanos, liveliness, lease);
   }
 
-  /** The same with that liveliness, shown at least every {@code nanos}. */
+  /** A copy with that liveliness, shown at least every {@code nanos}. */
   public EndpointQos withLiveliness(Liveliness kind, long nanos) {
     return new EndpointQos(reliable, transientLocal, depth, deadline, lifespan, kind, nanos);
   }

@@ -63,32 +63,32 @@ public record ParticipantOptions(
         4096);
   }
 
-  /** The same, called so. */
+  /** A copy with that name. */
   public ParticipantOptions withName(String text) {
     return with(draft -> draft.name = text);
   }
 
-  /** The same with that data for others to see. */
+  /** A copy with that data for others to see. */
   public ParticipantOptions withUserData(byte[] bytes) {
     return with(draft -> draft.userData = bytes);
   }
 
-  /** The same at that address. */
+  /** A copy with that address. */
   public ParticipantOptions withAddress(InetAddress where) {
     return with(draft -> draft.address = where);
   }
 
-  /** The same which others forget after that time. */
+  /** A copy with that lease: others forget the participant when it is silent for so long. */
   public ParticipantOptions withLease(Duration time) {
     return with(draft -> draft.lease = time);
   }
 
-  /** The same whose end may take so long. */
+  /** A copy whose end may take so long. */
   public ParticipantOptions withLinger(Duration time) {
     return with(draft -> draft.linger = time);
   }
 
-  /** The same with fragments of so many bytes. */
+  /** A copy with fragments of so many bytes. */
   public ParticipantOptions withFragmentSize(int bytes) {
     return with(draft -> draft.fragmentSize = bytes);
   }
@@ -104,7 +104,7 @@ public record ParticipantOptions(
     });
   }
 
-  /** The same that knows at most so many others, with so many writers and readers each. */
+  /** A copy with limits: so many other participants, with so many writers and readers each. */
   public ParticipantOptions withLimits(int others, int each) {
     return with(draft -> {
       draft.participants = others;

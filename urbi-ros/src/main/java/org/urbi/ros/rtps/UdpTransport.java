@@ -35,7 +35,7 @@ final class UdpTransport implements DatagramSink {
 
   private record Pair(DatagramChannel discovery, DatagramChannel user) {}
 
-  /** Those that a participant without multicast looks for: as many as other implementations do. */
+  /** How many others a participant without multicast looks for, as other implementations do. */
   static final int PARTICIPANTS_LOOKED_FOR = 32;
 
   private static final int LAST_INDEX = 119;

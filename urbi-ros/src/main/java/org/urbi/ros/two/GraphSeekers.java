@@ -12,7 +12,7 @@ import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.RosException;
 import urbi.thread.GuardedThreads;
 
-/** Those who wait for something in the graph, of which a new node hears little by little. */
+/** Waits for something in the graph, of which a new node hears little by little. */
 public final class GraphSeekers {
   private static final Executor TASKS = GuardedThreads.SDK.virtualThreads("urbi-ros-task");
 
@@ -57,7 +57,7 @@ public final class GraphSeekers {
     return found.whenComplete((value, failure) -> stopsLooking.run());
   }
 
-  /** The same, told by a thread that may wait in any case. */
+  /** What {@link #sought} finds, told on a thread that may wait in any case. */
   public CompletableFuture<String> soughtToWait(Supplier<Optional<String>> look, String missing) {
     return sought(look, missing).thenApplyAsync(found -> found, TASKS);
   }

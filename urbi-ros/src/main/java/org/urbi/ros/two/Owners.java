@@ -52,7 +52,7 @@ final class Owners {
     return owner == null ? endpoint.toString() : owner;
   }
 
-  /** The same, as soon as it is told; the identifier if that takes too long. */
+  /** The name of the owner as soon as it is told; the identifier if that takes too long. */
   CompletableFuture<String> soon(Guid endpoint) {
     CompletableFuture<String> known =
         awaited.computeIfAbsent(

@@ -215,7 +215,7 @@ final class TwoActionServer implements ActionServer {
       }
     }
 
-    /** It is pursued from now on, if it has not ended at once. */
+    /** The goal is pursued from now on, if it has not ended at once. */
     void begin() {
       become(GoalStatus.EXECUTING, now -> now == GoalStatus.UNKNOWN);
     }

@@ -13,7 +13,7 @@ import org.urbi.ros.time.SteadyClock;
  * that time has passed once more.
  */
 final class Deadline {
-  /** It is not looked more often than that: whoever asks for less does not fill the kernel. */
+  /** The shortest time between two looks: whoever asks for less must not fill the kernel. */
   static final long SHORTEST = TimeUnit.MILLISECONDS.toNanos(1);
 
   private final long period;

@@ -22,7 +22,7 @@ final class FirstUse implements AutoCloseable {
   private final Executor threads;
   private @Nullable CompletableFuture<Node> node;
 
-  /** Those of the node that there is, or soon will be. */
+  /** The settings of the node that there is, or soon will be. */
   private @Nullable NodeSettings settings;
 
   /** Whether somebody has asked for the node: then it remains what it is. */

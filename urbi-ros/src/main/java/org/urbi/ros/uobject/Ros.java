@@ -267,7 +267,7 @@ public final class Ros extends UObject implements AutoCloseable {
     return node().thenApply(known -> known.now() / 1e9);
   }
 
-  /** The same as messages have it. */
+  /** The time as the stamp of a message. */
   public CompletionStage<UValue> stamp() {
     return node().thenApply(known -> Templates.time(known.now()));
   }

@@ -30,7 +30,7 @@ final class JvmFlags {
     return common(ManagementFactory.getRuntimeMXBean().getInputArguments());
   }
 
-  /** Those that are for children, of all that a JVM was started with. */
+  /** Of all flags that a JVM was started with, those for children. */
   static List<String> common(List<String> flags) {
     return flags.stream().filter(flag -> COMMON.matcher(flag).matches()).toList();
   }

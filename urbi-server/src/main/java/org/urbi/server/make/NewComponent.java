@@ -40,7 +40,7 @@ public final class NewComponent {
           "README.md", "java/README.md",
           ".gitignore", "java/ignore");
 
-  /** The same of a project in C++. */
+  /** Of each file of a project in C++, which template it is made from. */
   private static final Map<String, String> CXX =
       Map.of(
           "CMakeLists.txt", "cxx/CMakeLists.txt",
