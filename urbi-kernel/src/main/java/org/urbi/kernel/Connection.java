@@ -6,7 +6,6 @@ import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.CallEnd;
 import org.urbi.kernel.observe.CodeEnd;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Places;
 import org.urbi.kernel.observe.Proposal;
@@ -14,6 +13,7 @@ import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.VariableListener;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.trust.Role;
 
 /**
@@ -115,7 +115,7 @@ public interface Connection {
    *
    * @return done as soon as the kernel has time; exceptionally when the connection has closed
    */
-  CompletableFuture<View> look(Look wanted);
+  CompletableFuture<View> look(ViewRequest wanted);
 
   /** Nobody looks any longer. */
   void lookNoMore();

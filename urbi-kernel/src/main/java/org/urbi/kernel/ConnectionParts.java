@@ -7,13 +7,13 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.observe.CallEnd;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Proposal;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.VariableListener;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 
 /**
  * What a connection offers besides its shell: completions, views of what runs, variables, code and
@@ -62,7 +62,7 @@ abstract class ConnectionParts implements Connection {
   }
 
   @Override
-  public CompletableFuture<View> look(Look wanted) {
+  public CompletableFuture<View> look(ViewRequest wanted) {
     return view.look(wanted);
   }
 

@@ -10,13 +10,13 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Proposal;
 import org.urbi.kernel.observe.Proposals;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.observe.Watch;
 
 /** What the client of a connection sees of the kernel, and does to its jobs and tags. */
@@ -51,7 +51,7 @@ final class ConnectionView {
 
   // ------------------------------------------------------------------ from any thread
 
-  CompletableFuture<View> look(Look wanted) {
+  CompletableFuture<View> look(ViewRequest wanted) {
     return ask(() -> watch().look(wanted));
   }
 

@@ -74,7 +74,7 @@ public final class Kernel implements AutoCloseable {
   private final KernelMemory memory;
   private final Connections connections;
   private final KernelLobbies lobbies;
-  private final LeftBehind leftBehind;
+  private final DepartedClients departed;
   private final KernelLifecycle life;
   private final Steering steering;
   private final Places places;
@@ -99,8 +99,8 @@ public final class Kernel implements AutoCloseable {
     world.randomNumbers().seed(builder.seed);
     this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
     this.lobbies = new KernelLobbies(this);
-    this.leftBehind = new LeftBehind(this, log);
-    this.outOfBand = new OutOfBandControl(scheduler, leftBehind);
+    this.departed = new DepartedClients(this, log);
+    this.outOfBand = new OutOfBandControl(scheduler, departed);
     this.memory = builder.memory(scheduler, outOfBand, log);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
@@ -426,8 +426,8 @@ public final class Kernel implements AutoCloseable {
     return lobbies;
   }
 
-  LeftBehind leftBehind() {
-    return leftBehind;
+  DepartedClients departed() {
+    return departed;
   }
 
   Inbox inbox() {

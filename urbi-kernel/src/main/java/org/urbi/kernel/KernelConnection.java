@@ -317,7 +317,7 @@ final class KernelConnection extends ConnectionParts
     left = true;
     kernel.scheduler().interruptions().clear(lobby());
     closeCompletions();
-    if (!kernel.leftBehind().has(this)) {
+    if (!kernel.departed().has(this)) {
       forget();
     }
   }
@@ -371,7 +371,7 @@ final class KernelConnection extends ConnectionParts
 
   private void evicted(long last, String reason) {
     if (finished) {
-      kernel.leftBehind().end(this, reason);
+      kernel.departed().end(this, reason);
     } else {
       lobby().shell().evict(last);
       tell(Problem.EVICTED.text(reason));
@@ -490,7 +490,7 @@ final class KernelConnection extends ConnectionParts
       own.disconnected(kernel.interpreter());
       if (!program) {
         own.budget().abandon();
-        kernel.leftBehind().left(this);
+        kernel.departed().left(this);
       }
     }
     client.closed();

@@ -26,14 +26,14 @@ final class OutOfBandControl {
   private static final int MOST_CALLS = 40;
 
   private final Scheduler scheduler;
-  private final LeftBehind leftBehind;
+  private final DepartedClients departed;
   private final Map<String, KernelConnection> connections = new ConcurrentSkipListMap<>();
   private @Nullable TimeBudgetMonitor shares;
   private volatile @Nullable HoldWatchdog watch;
 
-  OutOfBandControl(Scheduler scheduler, LeftBehind leftBehind) {
+  OutOfBandControl(Scheduler scheduler, DepartedClients departed) {
     this.scheduler = scheduler;
-    this.leftBehind = leftBehind;
+    this.departed = departed;
   }
 
   void setWatch(@Nullable HoldWatchdog who) {
@@ -93,7 +93,7 @@ final class OutOfBandControl {
     } else if (what == Resource.MEMORY && who != null) {
       who.watchMemory();
     } else if (what == Resource.TIME && shares == null) {
-      shares = new TimeBudgetMonitor(scheduler.meter(), connections.values(), leftBehind);
+      shares = new TimeBudgetMonitor(scheduler.meter(), connections.values(), departed);
       shares.start();
     }
   }

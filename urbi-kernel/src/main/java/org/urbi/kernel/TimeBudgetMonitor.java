@@ -20,7 +20,7 @@ final class TimeBudgetMonitor {
   private final Clock clock = new SystemClock();
   private final UsageMeter meter;
   private final Collection<KernelConnection> connections;
-  private final LeftBehind leftBehind;
+  private final DepartedClients departed;
   private volatile boolean over;
   private final Map<Budget, Long> before = new WeakHashMap<>();
 
@@ -28,10 +28,10 @@ final class TimeBudgetMonitor {
    * @param connections all there are, at any time
    */
   TimeBudgetMonitor(
-      UsageMeter meter, Collection<KernelConnection> connections, LeftBehind leftBehind) {
+      UsageMeter meter, Collection<KernelConnection> connections, DepartedClients departed) {
     this.meter = meter;
     this.connections = connections;
-    this.leftBehind = leftBehind;
+    this.departed = departed;
   }
 
   void start() {
@@ -75,11 +75,11 @@ final class TimeBudgetMonitor {
 
   /** What clients who have left have left behind takes together as much as one client may. */
   private void checkLeftBehind(long window) {
-    long most = leftBehind.budget().limit(Resource.TIME);
+    long most = departed.budget().limit(Resource.TIME);
     long all = 0;
     long largest = 0;
     KernelConnection culprit = null;
-    for (KernelConnection each : leftBehind.all()) {
+    for (KernelConnection each : departed.all()) {
       long taken = takenOf(each);
       all += taken;
       if (taken > largest) {

@@ -19,9 +19,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.job.Turn;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.observe.JobRow;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Steering.Action;
 import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.trust.Role;
 
 /** Somebody looks at the jobs and tags of a running kernel, and controls them. */
@@ -86,7 +86,7 @@ class JobViewTest {
         deep: outer(),
         """);
     JobRow job = owner.under("deep");
-    owner.look(new Look(job.number(), List.of(), null, null));
+    owner.look(new ViewRequest(job.number(), List.of(), null, null));
     assertNotNull(owner.last.detail());
     assertTrue(owner.last.detail().left() > 3000, "it waits for an hour");
     List<String> names = owner.last.detail().calls().stream().map(call -> call.name()).toList();
@@ -100,7 +100,7 @@ class JobViewTest {
   void turnsOfTracedJobsAreKept() {
     program.say("ticks: every| (1ms) { 1 },");
     JobRow job = owner.under("ticks");
-    Look wanted = new Look(0, List.of(job.number()), null, null);
+    ViewRequest wanted = new ViewRequest(0, List.of(job.number()), null, null);
     List<Turn> turns;
     do {
       turns = owner.look(wanted).last.turns().turns();
@@ -128,7 +128,7 @@ class JobViewTest {
         """);
     long beating = owner.under("beating").number();
     long listening = owner.under("listening").number();
-    Look wanted = new Look(0, List.of(listening), null, null);
+    ViewRequest wanted = new ViewRequest(0, List.of(listening), null, null);
     List<Turn> turns = new ArrayList<>();
     Predicate<Turn> wakes = turn -> turn.job() == listening && turn.wakers().contains(beating);
     while (turns.stream().noneMatch(wakes)) {
@@ -149,7 +149,7 @@ class JobViewTest {
   void onlyFewNewJobsAreTracedAtOnce() {
     program.say("ticks: every| (1ms) { 1 },");
     long ticks = owner.under("ticks").number();
-    Look wanted = new Look(0, List.of(ticks), null, null);
+    ViewRequest wanted = new ViewRequest(0, List.of(ticks), null, null);
     owner.look(wanted);
     program.say("for& (10000) { ; 1; 2 };");
     List<Turn> turns = owner.look(wanted).last.turns().turns();
@@ -191,12 +191,12 @@ class JobViewTest {
     assertTrue(since(born.number(), born.number(), late) < seen, "it was new: all is known of it");
   }
 
-  private static Look looking(Long... traced) {
-    return new Look(0, List.of(traced), null, null);
+  private static ViewRequest looking(Long... traced) {
+    return new ViewRequest(0, List.of(traced), null, null);
   }
 
   /** What is told of which jobs are traced, as soon as that changes. */
-  private Map<Long, Long> traced(Look wanted) {
+  private Map<Long, Long> traced(ViewRequest wanted) {
     Map<Long, Long> told;
     do {
       told = owner.look(wanted).last.turns().traced();

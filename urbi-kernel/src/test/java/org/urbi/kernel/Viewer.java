@@ -9,13 +9,13 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 import org.urbi.kernel.observe.EventRow;
 import org.urbi.kernel.observe.JobRow;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.ObjectView;
 import org.urbi.kernel.observe.ReactionRow;
 import org.urbi.kernel.observe.SlotRow;
 import org.urbi.kernel.observe.Steering.Action;
 import org.urbi.kernel.observe.TagRow;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.trust.Role;
 
 /** One who looks at a kernel: puts together what has been told, and intervenes. */
@@ -52,7 +52,7 @@ public final class Viewer {
   // ------------------------------------------------------------------ looks
 
   /** A round over all jobs. */
-  Viewer look(Look wanted) {
+  Viewer look(ViewRequest wanted) {
     changes = 0;
     views = 0;
     voidViews = 0;
@@ -88,7 +88,7 @@ public final class Viewer {
   }
 
   Viewer look() {
-    return look(new Look(0, List.of(), null, null));
+    return look(new ViewRequest(0, List.of(), null, null));
   }
 
   /**
@@ -97,7 +97,7 @@ public final class Viewer {
    * @param text which they contain; null to look away
    */
   public Viewer lookFor(String text) {
-    return look(new Look(0, List.of(), text, null));
+    return look(new ViewRequest(0, List.of(), text, null));
   }
 
   /** Looks at one object. */
@@ -106,7 +106,7 @@ public final class Viewer {
       slots.clear();
       way = at;
     }
-    return look(new Look(0, List.of(), null, List.of(at)));
+    return look(new ViewRequest(0, List.of(), null, List.of(at)));
   }
 
   // ------------------------------------------------------------------ what it sees

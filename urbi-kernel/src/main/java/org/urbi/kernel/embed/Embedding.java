@@ -106,7 +106,7 @@ public final class Embedding {
     } else if (asked instanceof Message.FunctionDefined) {
       scheduler.journal().missing(asked);
     } else if (scheduler.journal().isReplay()) {
-      request = new Request<>(this, asked, Beside.of(replayed));
+      request = new Request<>(this, asked, RequestAttachments.of(replayed));
       pending.put(asked.number(), request);
       request.begin();
     }
@@ -185,7 +185,9 @@ public final class Embedding {
     GivenValues given = new GivenValues(this);
     int object = target == null ? 0 : given.number(target);
     Object value =
-        await(number -> evaluation(number, object, source, file, type), Beside.of(given.objects()));
+        await(
+            number -> evaluation(number, object, source, file, type),
+            RequestAttachments.of(given.objects()));
     return JavaValues.as(value, type);
   }
 
@@ -202,7 +204,9 @@ public final class Embedding {
   /** Evaluates source text, without waiting; see {@code Kernel.evalAsync}. */
   public CompletableFuture<Object> evalAsync(String source) {
     Request<Object> request =
-        begin(number -> evaluation(number, 0, source, null, Object.class), Beside.of(Map.of()));
+        begin(
+            number -> evaluation(number, 0, source, null, Object.class),
+            RequestAttachments.of(Map.of()));
     CompletableFuture<Object> result = new CompletableFuture<>();
     // Actions that depend on the result must not run on the kernel thread.
     request
@@ -230,14 +234,14 @@ public final class Embedding {
     Data read = given.list(arguments);
     return await(
         number -> new Message.MethodCalled(number, 0, Utf8Text.toUrbi(function), read),
-        Beside.of(given.objects()));
+        RequestAttachments.of(given.objects()));
   }
 
   /** Gives urbiscript a function written in Java; see {@code Kernel.define}. */
   public void define(String name, Function<? super List<Object>, ?> function) {
     String bytes = Utf8Text.toUrbi(name);
     var body = new JavaFunction(this, bytes.substring(bytes.lastIndexOf('.') + 1), function);
-    await(number -> new Message.FunctionDefined(number, bytes), Beside.of(body));
+    await(number -> new Message.FunctionDefined(number, bytes), RequestAttachments.of(body));
   }
 
   // ------------------------------------------------------------------ listening
@@ -245,7 +249,8 @@ public final class Embedding {
   /** Listens to an event; see {@code Kernel.onEvent}. */
   public ListenerRegistration onEvent(String expression, Consumer<? super List<Object>> listener) {
     String bytes = Utf8Text.toUrbi(expression);
-    return known(number -> new Message.Listened(number, bytes, false), Beside.of(listener));
+    return known(
+        number -> new Message.Listened(number, bytes, false), RequestAttachments.of(listener));
   }
 
   /** Listens to the changes of an expression; see {@code Kernel.onChange}. */
@@ -253,14 +258,14 @@ public final class Embedding {
     String bytes = Utf8Text.toUrbi(expression);
     return known(
         number -> new Message.Listened(number, bytes, true),
-        Beside.of((List<Object> payload) -> listener.accept(payload.getFirst())));
+        RequestAttachments.of((List<Object> payload) -> listener.accept(payload.getFirst())));
   }
 
   // ------------------------------------------------------------------ the lobby
 
   /** The lobby in which the program's code is evaluated. */
   public UrbiValue lobby() {
-    return known(number -> new Message.ScopeWanted(number, false), Beside.of(Map.of()));
+    return known(number -> new Message.ScopeWanted(number, false), RequestAttachments.of(Map.of()));
   }
 
   /**
@@ -268,7 +273,7 @@ public final class Embedding {
    * allows its slots to be redefined.
    */
   public UrbiValue newScope() {
-    return known(number -> new Message.ScopeWanted(number, true), Beside.of(Map.of()));
+    return known(number -> new Message.ScopeWanted(number, true), RequestAttachments.of(Map.of()));
   }
 
   /** A request begins; on the kernel thread. */
@@ -321,12 +326,12 @@ public final class Embedding {
    * @throws IllegalStateException on the kernel thread, or when the kernel has ended
    * @throws CancellationException if the job was stopped, or the waiting thread interrupted
    */
-  private <T> @Nullable T await(IntFunction<Message.OfProgram> what, Beside beside) {
+  private <T> @Nullable T await(IntFunction<Message.OfProgram> what, RequestAttachments attached) {
     if (scheduler.isKernelThread()) {
       throw new IllegalStateException(
           "the kernel thread cannot wait for an evaluation: use another thread, or evalAsync");
     }
-    Request<T> request = begin(what, beside);
+    Request<T> request = begin(what, attached);
     try {
       return request.future().get();
     } catch (InterruptedException e) {
@@ -350,8 +355,8 @@ public final class Embedding {
   }
 
   /** Like {@link #await}, for what is never nil. */
-  private <T> T known(IntFunction<Message.OfProgram> what, Beside beside) {
-    return requireNonNull(this.<T>await(what, beside), "what is asked for is there");
+  private <T> T known(IntFunction<Message.OfProgram> what, RequestAttachments attached) {
+    return requireNonNull(this.<T>await(what, attached), "what is asked for is there");
   }
 
   /**
@@ -361,25 +366,25 @@ public final class Embedding {
   // Who asks knows what comes of it.
   @SuppressWarnings("unchecked")
   <T> @Nullable T ask(IntFunction<Message.OfProgram> what, GivenValues given) {
-    Beside beside = Beside.of(given.objects());
+    RequestAttachments attached = RequestAttachments.of(given.objects());
     Frame caller = JavaFunction.caller();
     if (caller == null || caller.interpreter() != interpreter) {
-      return await(what, beside);
+      return await(what, attached);
     }
     try {
-      return (T) tasks.run(caller, what.apply(0), beside);
+      return (T) tasks.run(caller, what.apply(0), attached);
     } catch (UrbiException e) {
       throw UrbiErrorConverter.of(this, caller, e);
     }
   }
 
-  private <T> Request<T> begin(IntFunction<Message.OfProgram> what, Beside beside) {
+  private <T> Request<T> begin(IntFunction<Message.OfProgram> what, RequestAttachments attached) {
     if (!used) {
       used = true;
       postWaiters();
     }
     Message.OfProgram asked = what.apply(last.incrementAndGet());
-    Request<T> request = new Request<>(this, asked, beside);
+    Request<T> request = new Request<>(this, asked, attached);
     pending.put(request.number(), request);
     scheduler.inbox().post(asked);
     if (over) {

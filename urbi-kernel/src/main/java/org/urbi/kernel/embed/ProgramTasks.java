@@ -31,30 +31,31 @@ final class ProgramTasks {
    *
    * @return what the program gets for it
    */
-  @Nullable Object run(Frame frame, Message.OfProgram asked, Beside beside) {
+  @Nullable Object run(Frame frame, Message.OfProgram asked, RequestAttachments attached) {
     return switch (asked) {
-      case Message.OfObject wish -> ofObject(frame, wish, beside);
+      case Message.OfObject wish -> ofObject(frame, wish, attached);
       case Message.ScopeWanted wish -> embedding.handle(wish.fresh() ? scope() : embedding.own());
       case Message.Listened wish -> {
         var events =
-            new EventRegistration(embedding, wish.number(), wish.expression(), beside.listener());
+            new EventRegistration(embedding, wish.number(), wish.expression(), attached.listener());
         yield wish.changes()
             ? new ChangeRegistration(events, wish.expression()).run(frame)
             : events.run(frame);
       }
       case Message.FunctionDefined wish -> {
-        define(frame, wish.name(), requireNonNull(beside.function(), "a program defines it"));
+        define(frame, wish.name(), requireNonNull(attached.function(), "a program defines it"));
         yield null;
       }
     };
   }
 
-  private @Nullable Object ofObject(Frame frame, Message.OfObject asked, Beside beside) {
+  private @Nullable Object ofObject(
+      Frame frame, Message.OfObject asked, RequestAttachments attached) {
     UrbiObject object =
         asked.object() == 0
             ? frame.self()
-            : requireNonNull(beside.objects().get(asked.object()), "whoever asks has the object");
-    var given = new FromDataConverter(frame, beside.objects());
+            : requireNonNull(attached.objects().get(asked.object()), "whoever asks has the object");
+    var given = new FromDataConverter(frame, attached.objects());
     return switch (asked) {
       case Message.SourceEvaluated text ->
           JavaValues.toJava(

@@ -16,17 +16,17 @@ import org.urbi.kernel.node.FrameLayout;
 final class Request<T> {
   private final Embedding embedding;
   private final Message.OfProgram asked;
-  private final Beside beside;
+  private final RequestAttachments attached;
   private final CompletableFuture<T> future = new CompletableFuture<>();
   private @Nullable Job job;
   private @Nullable Object value;
   private @Nullable Throwable failure;
   private boolean over;
 
-  Request(Embedding embedding, Message.OfProgram asked, Beside beside) {
+  Request(Embedding embedding, Message.OfProgram asked, RequestAttachments attached) {
     this.embedding = embedding;
     this.asked = asked;
-    this.beside = beside;
+    this.attached = attached;
   }
 
   /** Completed on the kernel thread: what depends on it must not block. */
@@ -74,7 +74,7 @@ final class Request<T> {
     TagScope scope = running.enter(lobby.connectionTag().state());
     embedding.eviction().begins(running);
     try {
-      value = embedding.tasks().run(frame, asked, beside);
+      value = embedding.tasks().run(frame, asked, attached);
       over = true;
     } catch (TagStop stop) {
       throw stop;

@@ -77,7 +77,7 @@ public final class AtEvent extends Node {
         matched = matched.fork(emitter, false);
         Frame scene = matched;
         if (!emitter
-            .onBehalf()
+            .identity()
             .doFor(handler.lobby(), () -> filter.accepts(scene, emission.payload()))) {
           return;
         }

@@ -61,7 +61,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     world.tracker = sources;
     evaluator = job;
     try {
-      return job.onBehalf().doFor(lobby, () -> expression.execute(home.in(job)));
+      return job.identity().doFor(lobby, () -> expression.execute(home.in(job)));
     } finally {
       evaluator = null;
       world.tracker = outer;
@@ -88,7 +88,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     }
     if (running == null) {
       startEvaluation(scheduler);
-    } else if (running.onBehalf().isAbove(lobby)) {
+    } else if (running.identity().isAbove(lobby)) {
       setApart(scheduler);
     } else {
       evaluateAgain(running);

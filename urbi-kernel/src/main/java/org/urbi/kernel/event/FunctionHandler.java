@@ -106,7 +106,7 @@ public final class FunctionHandler implements Subscription, Reaction {
   }
 
   private UrbiObject call(Job job, UrbiObject function, UrbiObject... arguments) {
-    return job.onBehalf()
+    return job.identity()
         .doFor(
             lobby, () -> home.interpreter().call(home.in(job), function, home.self(), arguments));
   }

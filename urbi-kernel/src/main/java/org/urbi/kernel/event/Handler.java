@@ -103,7 +103,7 @@ final class Handler {
         throw frame.interpreter().errors().scheduling(Problem.STACK_EXHAUSTED);
       }
       try {
-        trigger.onBehalf().doFor(lobby, () -> code.execute(frame.fork(trigger, false)));
+        trigger.identity().doFor(lobby, () -> code.execute(frame.fork(trigger, false)));
       } finally {
         trigger.endSend();
       }

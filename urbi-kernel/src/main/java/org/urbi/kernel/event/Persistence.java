@@ -65,7 +65,7 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
   private void set(Job job, boolean holds) {
     Frame frame = home.in(job);
     UrbiObject value = frame.interpreter().values().bool(holds);
-    job.onBehalf()
+    job.identity()
         .doFor(lobby, () -> SlotUpdate.assign(frame, shown, shown.world().symbol("val"), value));
   }
 

@@ -151,7 +151,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
    */
   boolean setApart(Subscription subscription, Job emitter, Job.Body body) {
     Guest guest = guests.get(subscription);
-    if (guest == null || !emitter.onBehalf().isAbove(guest.lobby)) {
+    if (guest == null || !emitter.identity().isAbove(guest.lobby)) {
       return false;
     }
     emitter

@@ -160,7 +160,7 @@ public final class WaitUntil extends Node {
     private boolean accepts(Emission emission, Job emitter) {
       return filter.acceptsAll()
           || emitter
-              .onBehalf()
+              .identity()
               .doFor(lobby, () -> filter.accepts(waiting.frame.in(emitter), emission.payload()));
     }
 

@@ -203,7 +203,7 @@ public final class Whenever extends Node {
         return;
       }
       Frame matched = home.fork(emitter, false);
-      if (!emitter.onBehalf().doFor(lobby, () -> filter.accepts(matched, emission.payload()))) {
+      if (!emitter.identity().doFor(lobby, () -> filter.accepts(matched, emission.payload()))) {
         return;
       }
       turn++;

@@ -74,7 +74,7 @@ public final class Job extends JobFacts implements Runnable {
     this.interruptions = scheduler.interruptions();
     this.body = body;
     Job creator = scheduler.running();
-    this.surplus = !onBehalf.admit(creator);
+    this.surplus = !identity.admit(creator);
     this.scope = scope;
     this.group = group;
     this.grouped = group == null ? null : new JobList.Link(this);
@@ -199,7 +199,7 @@ public final class Job extends JobFacts implements Runnable {
       state = JobState.RUNNING;
       checkInjected();
       if (surplus) {
-        throw onBehalf.refusal(Resource.JOBS);
+        throw identity.refusal(Resource.JOBS);
       }
       body.run(this);
     } catch (TagStop stop) {

@@ -14,9 +14,9 @@ abstract sealed class JobFacts permits Job {
   public static final int DEEP = 60_000;
 
   final Scheduler scheduler;
-  final OnBehalf onBehalf;
+  final JobIdentity identity;
 
-  /** Each turn asks for it: found without a look at {@link #onBehalf}. */
+  /** Each turn asks for it: found without a look at {@link #identity}. */
   final Budget budget;
 
   /** What its name begins with. */
@@ -41,8 +41,8 @@ abstract sealed class JobFacts permits Job {
     Job creator = scheduler.running();
     this.starter = creator == null ? 0 : creator.number();
     this.prefix = prefix;
-    this.onBehalf = new OnBehalf(scheduler, lobby);
-    this.budget = onBehalf.budget();
+    this.identity = new JobIdentity(scheduler, lobby);
+    this.budget = identity.budget();
   }
 
   // ------------------------------------------------------------------ what it is
@@ -69,17 +69,17 @@ abstract sealed class JobFacts permits Job {
 
   /** The lobby for which the job runs, and to which its output goes. */
   public UrbiObject lobby() {
-    return onBehalf.lobby();
+    return identity.lobby();
   }
 
   /** What it may do, and use, for that lobby. */
-  public OnBehalf onBehalf() {
-    return onBehalf;
+  public JobIdentity identity() {
+    return identity;
   }
 
   /** Whether it may do everything. */
   public boolean isOwner() {
-    return onBehalf.role() == Role.OWNER;
+    return identity.role() == Role.OWNER;
   }
 
   /** The budget that it uses: that of its first lobby. */

@@ -19,16 +19,16 @@ final class Rounds {
 
   private final Scheduler scheduler;
   private final RunQueue runnable;
-  private final Newcomers newcomers;
+  private final StartedJobs started;
   private Stage stage = Stage.NONE;
 
   /** How many of the jobs that run behind all others are left. */
   private int behind;
 
-  Rounds(Scheduler scheduler, RunQueue runnable, Newcomers newcomers) {
+  Rounds(Scheduler scheduler, RunQueue runnable, StartedJobs started) {
     this.scheduler = scheduler;
     this.runnable = runnable;
-    this.newcomers = newcomers;
+    this.started = started;
   }
 
   /** Whether the rounds of a tick have begun, and not ended. */
@@ -43,7 +43,7 @@ final class Rounds {
   }
 
   private void beginRound(boolean last) {
-    newcomers.beginRound();
+    started.beginRound();
     runnable.beginRound(last);
   }
 
@@ -56,7 +56,7 @@ final class Rounds {
   void run() {
     if (stage == Stage.ALL) {
       runAll(false);
-      behind = newcomers.behind();
+      behind = started.behind();
       stage = Stage.BEHIND;
     }
     runBehind();
@@ -70,21 +70,21 @@ final class Rounds {
   }
 
   private void runAll(boolean last) {
-    newcomers.joinRound();
+    started.joinRound();
     Job job;
     while ((last || !scheduler.isStopped()) && (job = runnable.next()) != null) {
       runTurn(job);
-      newcomers.joinRound();
+      started.joinRound();
     }
     scheduler.endTurn();
     scheduler.beginTurn();
   }
 
   private void runBehind() {
-    newcomers.joinQueue();
+    started.joinQueue();
     for (Job job = nextBehind(); job != null; job = nextBehind()) {
       runTurn(job);
-      newcomers.joinQueue();
+      started.joinQueue();
     }
     scheduler.endTurn();
   }
@@ -94,7 +94,7 @@ final class Rounds {
       return null;
     }
     behind--;
-    return newcomers.pollBehind();
+    return started.pollBehind();
   }
 
   private void runTurn(Job job) {

@@ -47,7 +47,7 @@ public final class Scheduler {
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
-  private final Newcomers newcomers;
+  private final StartedJobs started;
   private final Rounds rounds;
   private final JobList jobs = new JobList();
   private final TagScope rootScope = new TagScope();
@@ -102,8 +102,8 @@ public final class Scheduler {
     this.meter = new UsageMeter(machine, this.threads::allocatedBytes);
     this.memory = new MemoryWait(this.threads::allocatedBytes);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
-    this.newcomers = new Newcomers(runnable);
-    this.rounds = new Rounds(this, runnable, newcomers);
+    this.started = new StartedJobs(runnable);
+    this.rounds = new Rounds(this, runnable, started);
     this.uncaught = uncaught;
     inbox.register(Message.JOBS, this.threads::take);
   }
@@ -190,7 +190,7 @@ public final class Scheduler {
     if (running == null) {
       return common;
     }
-    running.onBehalf().take(Resource.TIMERS);
+    running.identity().take(Resource.TIMERS);
     return running.budget();
   }
 
@@ -277,20 +277,20 @@ public final class Scheduler {
   public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
     Job job = new Job(this, body, prefix, lobby, scope, null, shift);
-    newcomers.addAhead(list(job));
+    started.addAhead(list(job));
     return job;
   }
 
   /** Like {@link #startDetached}, but the job runs after all others have had their turn. */
   public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     Job job = new Job(this, body, prefix, lobby, scope, null, 0);
-    newcomers.addBehind(list(job));
+    started.addBehind(list(job));
     return job;
   }
 
   /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
-    newcomers.add(list(job), running);
+    started.add(list(job), running);
     return job;
   }
 
@@ -374,7 +374,7 @@ public final class Scheduler {
    * is so small that the virtual machine puts it into the loops of compiled code.
    */
   private boolean isAlone() {
-    if (!newcomers.isEmpty()
+    if (!started.isEmpty()
         || ((inbox.isFilled() || counted)
             && journal.yieldsToMessages(yields.count(), inbox.isFilled()))
         || (yields.isOver() && time.isTickDue(!endOfTick.isEmpty()))
@@ -510,8 +510,8 @@ public final class Scheduler {
     }
     fireTimers();
     stops.goOn();
-    newcomers.joinAhead();
-    if (runnable.isEmpty() && newcomers.behind() == 0) {
+    started.joinAhead();
+    if (runnable.isEmpty() && started.behind() == 0) {
       meter.turnOf(null);
       runEndOfTick();
       time.endEmptyTick();

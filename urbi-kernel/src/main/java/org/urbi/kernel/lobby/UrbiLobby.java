@@ -127,7 +127,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     role = other;
     for (Job job : jobs) {
       if (job.lobby() == this) {
-        job.onBehalf().become(this);
+        job.identity().become(this);
       }
     }
   }

@@ -65,7 +65,7 @@ public final class CallMessages {
     /** Evaluates it in the activation of the caller, each time again. */
     public UrbiObject evaluate(Frame evaluator) {
       Job job = evaluator.job;
-      return job.onBehalf().doFor(lobby, () -> code.execute(frame.in(job)));
+      return job.identity().doFor(lobby, () -> code.execute(frame.in(job)));
     }
   }
 

@@ -28,7 +28,7 @@ public abstract class Code extends UrbiCode {
     return caller.job.lobby() != bound
         && (!isLazy()
             || caller.job.isOwner()
-            || RoleHolder.roleOf(bound).compareTo(caller.job.onBehalf().role()) < 0);
+            || RoleHolder.roleOf(bound).compareTo(caller.job.identity().role()) < 0);
   }
 
   /**

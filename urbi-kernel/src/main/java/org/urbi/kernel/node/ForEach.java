@@ -286,7 +286,7 @@ public final class ForEach extends Node implements CallSite {
       }
       Frame frame = caller.job == home.job ? home : home.fork(caller.job, true);
       variable.declare(frame, arguments[0]);
-      UrbiObject value = caller.job.onBehalf().doFor(lobby, () -> body.execute(frame));
+      UrbiObject value = caller.job.identity().doFor(lobby, () -> body.execute(frame));
       if (frame.completion != null) {
         Frame.Completion completion = frame.completion;
         frame.completion = null;

@@ -270,11 +270,11 @@ public final class Function extends Code {
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     if (boundLobby != null && changesLobby(caller, boundLobby)) {
       UrbiObject lobby = caller.job.lobby();
-      caller.job.onBehalf().become(boundLobby);
+      caller.job.identity().become(boundLobby);
       try {
         return runProfiled(caller, site, self, locals);
       } finally {
-        caller.job.onBehalf().become(lobby);
+        caller.job.identity().become(lobby);
       }
     }
     return caller.interpreter.profiling

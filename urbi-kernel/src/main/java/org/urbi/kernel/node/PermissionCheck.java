@@ -18,7 +18,7 @@ public final class PermissionCheck {
 
   /** Whether a job may change an object: its slots, its prototypes, its content. */
   static boolean allowsChange(Job job, UrbiObject target) {
-    return allowsChange(job.onBehalf().role(), job.lobby(), target);
+    return allowsChange(job.identity().role(), job.lobby(), target);
   }
 
   /** Whether code of that role, which runs for that lobby, may change an object. */
@@ -55,7 +55,7 @@ public final class PermissionCheck {
 
   /** Refuses to change a job, unless it runs for the lobby of the caller. */
   public static void checkChange(Frame caller, String routine, Job target) {
-    if (!allowsChange(caller.job.onBehalf().role(), caller.job.lobby(), target)) {
+    if (!allowsChange(caller.job.identity().role(), caller.job.lobby(), target)) {
       throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
     }
   }
@@ -71,7 +71,7 @@ public final class PermissionCheck {
    * Refuses to end or suspend what is under a tag, unless all of it runs for the caller's lobby.
    */
   public static void checkControl(Frame caller, String routine, TagState tag) {
-    if (!allowsControl(caller.job.onBehalf().role(), caller.job.lobby(), tag)) {
+    if (!allowsControl(caller.job.identity().role(), caller.job.lobby(), tag)) {
       throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
     }
   }
@@ -85,14 +85,14 @@ public final class PermissionCheck {
 
   /** Refuses what needs a higher role than the caller's. */
   public static void checkRole(Frame caller, String routine, Role least) {
-    if (caller.job.onBehalf().role().compareTo(least) < 0) {
+    if (caller.job.identity().role().compareTo(least) < 0) {
       throw refused(caller, routine, Problem.NEEDS_ROLE, least);
     }
   }
 
   /** Makes a new object the observer's own: only that lobby may change it. */
   public static void claimForObserver(Frame maker, UrbiObject made) {
-    if (maker.job.onBehalf().role() == Role.OBSERVER) {
+    if (maker.job.identity().role() == Role.OBSERVER) {
       claim(maker, made);
     }
   }
@@ -101,6 +101,6 @@ public final class PermissionCheck {
     return caller
         .interpreter
         .errors()
-        .primitive(routine, problem, needed.text(), caller.job.onBehalf().role().text());
+        .primitive(routine, problem, needed.text(), caller.job.identity().role().text());
   }
 }

@@ -49,7 +49,7 @@ public final class TakenCode extends Code {
   @Override
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
     return changesLobby(caller, lobby)
-        ? caller.job.onBehalf().doFor(lobby, () -> code.call(caller, site, self, arguments))
+        ? caller.job.identity().doFor(lobby, () -> code.call(caller, site, self, arguments))
         : code.call(caller, site, self, arguments);
   }
 

@@ -153,10 +153,10 @@ public final class Trajectory extends Node implements CallSite {
     public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
       Frame frame = home.in(caller.job);
       if (!writes) {
-        return caller.job.onBehalf().doFor(lobby, () -> variable.execute(frame));
+        return caller.job.identity().doFor(lobby, () -> variable.execute(frame));
       }
       written.declare(frame, arguments[0]);
-      return caller.job.onBehalf().doFor(lobby, () -> write.execute(frame));
+      return caller.job.identity().doFor(lobby, () -> write.execute(frame));
     }
   }
 }

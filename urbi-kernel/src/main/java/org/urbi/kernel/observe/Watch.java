@@ -69,7 +69,7 @@ public final class Watch {
   }
 
   /** What has changed since the last look. */
-  public View look(Look wanted) {
+  public View look(ViewRequest wanted) {
     long now = meter.now();
     // Those of the jobs that were traced until now: others may be from now on.
     TurnView turning = turns(now);
@@ -115,7 +115,7 @@ public final class Watch {
         complete);
   }
 
-  private void begin(Look wanted) {
+  private void begin(ViewRequest wanted) {
     round = scheduler.jobs();
     next = 0;
     known = 0;

@@ -112,7 +112,7 @@ public final class ChildProcess {
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
     outside.confinement().checkProcesses();
-    job.onBehalf().take(Resource.PROCESSES);
+    job.identity().take(Resource.PROCESSES);
     Process process = null;
     boolean started = false;
     try {
@@ -140,7 +140,7 @@ public final class ChildProcess {
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
     outside.confinement().checkProcesses();
-    job.onBehalf().take(Resource.PROCESSES);
+    job.identity().take(Resource.PROCESSES);
     try {
       return outside.await(
           job,

@@ -72,7 +72,7 @@ public final class Outside implements Closeable {
     if (running == null || running.isOwner()) {
       return confinement;
     }
-    return running.onBehalf().role() == Role.USER ? users : Confinement.total();
+    return running.identity().role() == Role.USER ? users : Confinement.total();
   }
 
   /** Whether there is something that the kernel may not do. */

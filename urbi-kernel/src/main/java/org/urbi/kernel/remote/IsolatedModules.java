@@ -47,7 +47,7 @@ public final class IsolatedModules implements ModuleIsolation {
     if (processes == null && !outside.scheduler().journal().isReplay()) {
       throw new UModuleException(Problem.NO_ISOLATION.text());
     }
-    frame.job().onBehalf().take(Resource.PROCESSES);
+    frame.job().identity().take(Resource.PROCESSES);
     Isolated module = new Isolated(frame, file);
     module.start();
     return module;

@@ -30,10 +30,10 @@ final class FunctionHook implements Hook {
       // As in the job of a writer: what it does to the variable does not call it again.
       return;
     }
-    if (job.onBehalf().isAbove(lobby)) {
+    if (job.identity().isAbove(lobby)) {
       setApart(frame, variable);
     } else {
-      job.onBehalf().doFor(lobby, () -> frame.interpreter().call(frame, function, variable));
+      job.identity().doFor(lobby, () -> frame.interpreter().call(frame, function, variable));
     }
   }
 

@@ -65,7 +65,7 @@ public final class UrbiConnection extends UrbiSubscription {
     gate()
         .call(
             caller,
-            job -> job.onBehalf().doFor(lobby, () -> to.write(at(frame, caller, job), value)));
+            job -> job.identity().doFor(lobby, () -> to.write(at(frame, caller, job), value)));
   }
 
   private static Frame at(Frame frame, Job caller, Job job) {

@@ -50,11 +50,11 @@ class JobLifeTest {
     UrbiObject owner = loop.object();
     Job job = loop.idle(guest);
     assertSame(guest, job.lobby());
-    assertEquals(Role.OBSERVER, job.onBehalf().role());
+    assertEquals(Role.OBSERVER, job.identity().role());
     assertFalse(job.isOwner());
-    job.onBehalf().become(owner);
+    job.identity().become(owner);
     assertSame(owner, job.lobby());
-    assertEquals(Role.OWNER, job.onBehalf().role());
+    assertEquals(Role.OWNER, job.identity().role());
     assertTrue(job.isOwner());
   }
 
@@ -63,20 +63,20 @@ class JobLifeTest {
     Guest guest = new Guest(loop.world);
     UrbiObject owner = loop.object();
     Job job = loop.idle(owner);
-    assertSame(guest, job.onBehalf().doFor(guest, job::lobby));
-    assertEquals(Role.OBSERVER, job.onBehalf().doFor(guest, job.onBehalf()::role));
+    assertSame(guest, job.identity().doFor(guest, job::lobby));
+    assertEquals(Role.OBSERVER, job.identity().doFor(guest, job.identity()::role));
     assertSame(owner, job.lobby());
     // Another lobby that may do everything makes no difference.
-    assertSame(owner, job.onBehalf().doFor(loop.object(), job::lobby));
-    job.onBehalf().become(guest);
-    assertSame(owner, job.onBehalf().doFor(owner, job::lobby));
-    assertSame(guest, job.onBehalf().doFor(guest, job::lobby));
+    assertSame(owner, job.identity().doFor(loop.object(), job::lobby));
+    job.identity().become(guest);
+    assertSame(owner, job.identity().doFor(owner, job::lobby));
+    assertSame(guest, job.identity().doFor(guest, job::lobby));
     Guest another = new Guest(loop.world);
-    assertSame(another, job.onBehalf().doFor(another, job::lobby));
+    assertSame(another, job.identity().doFor(another, job::lobby));
     assertThrows(
         IllegalStateException.class,
         () ->
-            job.onBehalf()
+            job.identity()
                 .doFor(
                     owner,
                     () -> {

@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.object.Utf8Text;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.trust.Role;
 import org.urbi.lang.grammar.Keywords;
 import org.urbi.server.Version;
@@ -56,7 +56,7 @@ final class Viewer extends StreamHandler {
   private @Nullable MediaDesk media;
   private @Nullable CodeDesk desk;
   private @Nullable FileDesk files;
-  private Look wanted = new Look(0, List.of(), null, null);
+  private ViewRequest wanted = new ViewRequest(0, List.of(), null, null);
   private boolean looking;
   private boolean due;
 
@@ -189,14 +189,16 @@ final class Viewer extends StreamHandler {
     switch (request) {
       case Request.Interest interest ->
           wanted =
-              new Look(
+              new ViewRequest(
                   interest.selected(), interest.traced(), wanted.reactions(), wanted.objects());
       case Request.Reactions reactions ->
           wanted =
-              new Look(wanted.selected(), wanted.traced(), reactions.filter(), wanted.objects());
+              new ViewRequest(
+                  wanted.selected(), wanted.traced(), reactions.filter(), wanted.objects());
       case Request.Variables variables ->
           wanted =
-              new Look(wanted.selected(), wanted.traced(), wanted.reactions(), variables.objects());
+              new ViewRequest(
+                  wanted.selected(), wanted.traced(), wanted.reactions(), variables.objects());
       case Request.Plot plot -> sampler().plot(plot);
       case Request.Show show -> requireNonNull(media, "it has been let in").obey(show);
       case Request.Assign assign ->

@@ -7,13 +7,13 @@ import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.CallEnd;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Proposal;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.VariableListener;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.trust.Role;
 
 /** A lobby that only notes what is done to it, and has as much unread input as a test wants. */
@@ -92,7 +92,7 @@ final class RecordingConnection implements Connection {
   }
 
   @Override
-  public CompletableFuture<View> look(Look wanted) {
+  public CompletableFuture<View> look(ViewRequest wanted) {
     throw new UnsupportedOperationException();
   }
 

@@ -47,7 +47,7 @@ public final class ScriptCode extends Code {
       UrbiObject system = caller.interpreter().values().object;
       // It is everybody's from now on, and not bound to the lobby of its first caller.
       function =
-          (Function) caller.job().onBehalf().doFor(system, () -> compiled.code().execute(frame));
+          (Function) caller.job().identity().doFor(system, () -> compiled.code().execute(frame));
     }
     return function.call(caller, site, self, arguments);
   }

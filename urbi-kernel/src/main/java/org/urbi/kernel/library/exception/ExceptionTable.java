@@ -58,15 +58,15 @@ final class ExceptionTable extends BuiltinTable {
   }
 
   /** How it is shown. */
-  record Shown(String doc, Text text) {
+  record ExceptionText(String doc, Text text) {
     /** The text of a problem, whose places are slots of the exception. */
-    static Shown as(String doc, Problem problem) {
-      return new Shown(doc, (frame, self) -> filled(frame, self, problem));
+    static ExceptionText as(String doc, Problem problem) {
+      return new ExceptionText(doc, (frame, self) -> filled(frame, self, problem));
     }
 
     /** The name of the routine that has thrown it, then the text of a problem. */
-    static Shown inRoutine(String doc, Problem problem) {
-      return new Shown(
+    static ExceptionText inRoutine(String doc, Problem problem) {
+      return new ExceptionText(
           doc,
           (frame, self) ->
               Problem.IN_ROUTINE.text(
@@ -86,20 +86,20 @@ final class ExceptionTable extends BuiltinTable {
   }
 
   private final @Nullable Init init;
-  private final @Nullable Shown shown;
+  private final @Nullable ExceptionText shown;
 
   /**
    * @param init null for the one it inherits
    * @param shown null for the text it inherits
    */
   ExceptionTable(
-      String type, String proto, String doc, @Nullable Init init, @Nullable Shown shown) {
+      String type, String proto, String doc, @Nullable Init init, @Nullable ExceptionText shown) {
     super(type, doc, new String[] {proto}, entries(init, shown));
     this.init = init;
     this.shown = shown;
   }
 
-  private static Entry[] entries(@Nullable Init init, @Nullable Shown shown) {
+  private static Entry[] entries(@Nullable Init init, @Nullable ExceptionText shown) {
     List<Entry> entries = new ArrayList<>();
     if (init != null) {
       entries.add(init.entry());

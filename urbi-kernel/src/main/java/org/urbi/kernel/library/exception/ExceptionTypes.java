@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.library.exception.ExceptionTable.ExceptionText;
 import org.urbi.kernel.library.exception.ExceptionTable.Init;
-import org.urbi.kernel.library.exception.ExceptionTable.Shown;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.object.ObjectType;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -53,7 +53,8 @@ public final class ExceptionTypes {
                 "routine",
                 "index",
                 "exception"),
-            new Shown("The routine, the argument, and the reason.", ExceptionTypes::argument)),
+            new ExceptionText(
+                "The routine, the argument, and the reason.", ExceptionTypes::argument)),
         new ExceptionTable(
             "Exception.ArgumentType",
             "Exception.Type",
@@ -62,7 +63,7 @@ public final class ExceptionTypes {
                 "Of that function, at that place, with that value instead of one of that type.",
                 List.of("routine", "index", "effective", "expected"),
                 ExceptionTypes::initArgumentType),
-            new Shown(
+            new ExceptionText(
                 "The function, the place, the value and the type.", ExceptionTypes::argumentType)),
         new ExceptionTable(
             "Exception.Arity",
@@ -72,7 +73,7 @@ public final class ExceptionTypes {
                 "Of that routine, given so many arguments, with these bounds.",
                 List.of("routine", "effective", "minimum", "maximum?"),
                 ExceptionTypes::initArity),
-            new Shown(
+            new ExceptionText(
                 "The routine, how many arguments it expected, how many it was given.",
                 ExceptionTypes::arity)),
         new ExceptionTable(
@@ -82,7 +83,7 @@ public final class ExceptionTypes {
             BAD_NUMBER,
             "An integer that a routine cannot use.",
             null,
-            new Shown(
+            new ExceptionText(
                 "The routine, and what is wrong with the integer.", ExceptionTypes::badNumber)),
         new ExceptionTable(
             BAD_NUMBER,
@@ -93,26 +94,27 @@ public final class ExceptionTypes {
                 "routine",
                 "format=fmt",
                 "effective"),
-            new Shown(
+            new ExceptionText(
                 "The routine, and what is wrong with the number.", ExceptionTypes::badNumber)),
         new ExceptionTable(
             "Exception.Constness",
             EXCEPTION,
             "An attempt to change a constant.",
             Init.of(NOTHING),
-            Shown.as(WRONG, Problem.CONSTANT)),
+            ExceptionText.as(WRONG, Problem.CONSTANT)),
         new ExceptionTable(
             "Exception.FileNotFound",
             EXCEPTION,
             "A file that is not there.",
             Init.of("Of that name.", "name"),
-            new Shown("The routine, if any, and the name of the file.", ExceptionTypes::noFile)),
+            new ExceptionText(
+                "The routine, if any, and the name of the file.", ExceptionTypes::noFile)),
         new ExceptionTable(
             "Exception.ImplicitTagComponent",
             EXCEPTION,
             "An implicit tag under an unknown name.",
             Init.of(NOTHING),
-            Shown.as(WRONG, Problem.BAD_IMPLICIT_TAG)),
+            ExceptionText.as(WRONG, Problem.BAD_IMPLICIT_TAG)),
         new ExceptionTable(
             "Exception.Lookup",
             EXCEPTION,
@@ -121,7 +123,7 @@ public final class ExceptionTypes {
                 "Of that name, in that object; whether to look for what was meant.",
                 List.of("name", "object", "fixSpelling?"),
                 ExceptionTypes::initLookup),
-            new Shown(
+            new ExceptionText(
                 "The name that was not found, and the one which may have been meant.",
                 ExceptionTypes::lookup)),
         new ExceptionTable(
@@ -129,37 +131,37 @@ public final class ExceptionTypes {
             EXCEPTION,
             "A pattern that did not match.",
             Init.of(NOTHING),
-            Shown.as(WRONG, Problem.UNMATCHED)),
+            ExceptionText.as(WRONG, Problem.UNMATCHED)),
         new ExceptionTable(
             "Exception.NegativeNumber",
             BAD_NUMBER,
             "A number that should not be negative.",
             Init.of("Of that routine, and the number.", "routine", "effective"),
-            Shown.inRoutine("The routine, and the number.", Problem.NEGATIVE)),
+            ExceptionText.inRoutine("The routine, and the number.", Problem.NEGATIVE)),
         new ExceptionTable(
             "Exception.NonPositiveNumber",
             BAD_NUMBER,
             "A number that should be positive.",
             Init.of("Of that routine, and the number.", "routine", "effective"),
-            Shown.inRoutine("The routine, and the number.", Problem.NOT_POSITIVE)),
+            ExceptionText.inRoutine("The routine, and the number.", Problem.NOT_POSITIVE)),
         new ExceptionTable(
             "Exception.Primitive",
             EXCEPTION,
             "An error in a routine of the library.",
             Init.of("Of that routine, with that message.", "routine", "message"),
-            Shown.as("The routine and the message.", Problem.IN_ROUTINE)),
+            ExceptionText.as("The routine and the message.", Problem.IN_ROUTINE)),
         new ExceptionTable(
             "Exception.PropertyLookup",
             "Exception.Lookup",
             "A property that was not found.",
             Init.of("Of that name, slot->property, of that object.", "name", "object"),
-            Shown.as("The slot and the property.", Problem.PROPERTY_NOT_FOUND)),
+            ExceptionText.as("The slot and the property.", Problem.PROPERTY_NOT_FOUND)),
         new ExceptionTable(
             "Exception.Redefinition",
             EXCEPTION,
             "A slot that is there already.",
             Init.of("Of the slot of that name.", "name"),
-            Shown.as("The name of the slot.", Problem.REDEFINED)),
+            ExceptionText.as("The name of the slot.", Problem.REDEFINED)),
         new ExceptionTable(
             "Exception.Scheduling", EXCEPTION, "Something went wrong with jobs.", null, null),
         new ExceptionTable(
@@ -171,7 +173,7 @@ public final class ExceptionTypes {
                 "location=loc",
                 "message",
                 "input"),
-            Shown.as("The place and the message.", Problem.SYNTAX_ERROR)),
+            ExceptionText.as("The place and the message.", Problem.SYNTAX_ERROR)),
         new ExceptionTable(
             "Exception.TimeOut", EXCEPTION, "Code that has taken too much time.", null, null),
         new ExceptionTable(
@@ -179,13 +181,13 @@ public final class ExceptionTypes {
             EXCEPTION,
             "A value of another type than expected.",
             Init.of("Of that value, where that type was expected.", "effective", "expected"),
-            new Shown("The value, and the type that was expected.", ExceptionTypes::type)),
+            new ExceptionText("The value, and the type that was expected.", ExceptionTypes::type)),
         new ExceptionTable(
             "Exception.UnexpectedVoid",
             EXCEPTION,
             "A void value where one was needed.",
             Init.of(NOTHING),
-            Shown.as(WRONG, Problem.VOID)));
+            ExceptionText.as(WRONG, Problem.VOID)));
   }
 
   private static String text(Frame frame, UrbiObject self, String slot) {

@@ -49,7 +49,7 @@ public final class LobbyType {
     UrbiLobby own = of(frame);
     UrbiLobby to = self instanceof UrbiLobby lobby && lobby.isInstance() ? lobby : own;
     if (to == own && to.output().isFull()) {
-      throw frame.job().onBehalf().refusal(Resource.OUTPUT);
+      throw frame.job().identity().refusal(Resource.OUTPUT);
     }
     return to.output();
   }

@@ -105,7 +105,7 @@ public final class Finalization {
     UrbiObject maker = object.maker();
     try {
       // Whose statement happens to be over lends the object no rights.
-      job.onBehalf()
+      job.identity()
           .doFor(
               maker == null ? job.lobby() : maker,
               () -> frame.interpreter().send(frame, object, "finalize"));

@@ -60,7 +60,7 @@ public final class Counting {
    */
   public static void checkMemory(Frame caller, long bytes) {
     if (!caller.job().budget().allows(Resource.MEMORY, bytes)) {
-      throw caller.job().onBehalf().refusal(Resource.MEMORY);
+      throw caller.job().identity().refusal(Resource.MEMORY);
     }
   }
 

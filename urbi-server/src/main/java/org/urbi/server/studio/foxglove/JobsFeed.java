@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.JobRow;
-import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.TagRow;
 import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.server.studio.access.LateAnswers;
 
 /**
@@ -33,7 +33,7 @@ final class JobsFeed {
   private static final int MOST = 500;
 
   private static final double PER_MILLE = 1000;
-  private static final Look EVERYTHING = new Look(0, List.of(), null, null);
+  private static final ViewRequest EVERYTHING = new ViewRequest(0, List.of(), null, null);
 
   private final Channel channel;
   private final Connection connection;

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  *     beyond {@link #MOST_OBJECTS} are passed over; null if not even the names of the lobbies are
  *     wanted
  */
-public record Look(
+public record ViewRequest(
     long selected, List<Long> traced, @Nullable String reactions, @Nullable List<String> objects) {
   /** The turns of how many jobs can be had at a time. */
   public static final int MOST_TRACED = 64;
@@ -22,7 +22,7 @@ public record Look(
   /** The slots of how many objects can be had at a time. */
   public static final int MOST_OBJECTS = 32;
 
-  public Look {
+  public ViewRequest {
     traced = traced.stream().distinct().limit(MOST_TRACED).toList();
     objects = objects == null ? null : objects.stream().distinct().limit(MOST_OBJECTS).toList();
   }

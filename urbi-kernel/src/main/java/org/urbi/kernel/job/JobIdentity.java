@@ -10,13 +10,13 @@ import org.urbi.kernel.trust.Role;
 import org.urbi.kernel.trust.RoleHolder;
 
 /** The lobby for which a job runs, what the job may do there, and what it may use. */
-public final class OnBehalf {
+public final class JobIdentity {
   private final Scheduler scheduler;
   private final Budget budget;
   private UrbiObject lobby;
   private Role role;
 
-  OnBehalf(Scheduler scheduler, UrbiObject lobby) {
+  JobIdentity(Scheduler scheduler, UrbiObject lobby) {
     this.scheduler = scheduler;
     this.budget = scheduler.budgetOf(lobby);
     this.lobby = lobby;

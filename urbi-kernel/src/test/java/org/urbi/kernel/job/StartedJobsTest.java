@@ -13,7 +13,7 @@ import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
 
 /** When those run that a job has started in its turn. */
-class NewcomersTest {
+class StartedJobsTest {
   private static final long TOO_LONG = 5_000_000;
   private static final long TURN = 400_000;
 
@@ -26,7 +26,7 @@ class NewcomersTest {
           new Timers(Budget::new),
           new Inbox(Journal.NONE),
           Journal.NONE);
-  private final Newcomers newcomers = new Newcomers(queue);
+  private final StartedJobs started = new StartedJobs(queue);
   private final Map<Character, UrbiObject> lobbies = new HashMap<>();
   private final Map<Job, String> names = new HashMap<>();
 
@@ -46,13 +46,13 @@ class NewcomersTest {
 
   private void starts(Job parent, String... children) {
     for (String child : children) {
-      newcomers.add(job(child), parent);
+      started.add(job(child), parent);
     }
-    newcomers.joinRound();
+    started.joinRound();
   }
 
   private void beginRound() {
-    newcomers.beginRound();
+    started.beginRound();
     queue.beginRound(false);
   }
 

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * The jobs that have been started and wait for a place in the queue. One that was started by
  * another job runs right behind it in the same tick, unless there are too many such.
  */
-final class Newcomers {
+final class StartedJobs {
   /** The limit of jobs that start and run in one tick: they must not starve the others. */
   private static final int BIRTHS_PER_TICK = 100_000;
 
@@ -23,7 +23,7 @@ final class Newcomers {
   /** Whether some of those that the running job has started are of another lobby. */
   private boolean strangers;
 
-  Newcomers(RunQueue queue) {
+  StartedJobs(RunQueue queue) {
     this.queue = queue;
   }
 

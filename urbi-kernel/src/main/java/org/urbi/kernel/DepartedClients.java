@@ -19,7 +19,7 @@ import org.urbi.kernel.log.LogLevel;
  * that has left last. If they exceed it, the jobs of the client with most of them end; among
  * clients with equally many, those of the one that has left last.
  */
-final class LeftBehind {
+final class DepartedClients {
   /** How long jobs may take to end, in nanoseconds: until then they are not counted. */
   private static final long GRACE = 1_000_000_000;
 
@@ -46,7 +46,7 @@ final class LeftBehind {
     private boolean ending;
   }
 
-  LeftBehind(Kernel kernel, KernelLog log) {
+  DepartedClients(Kernel kernel, KernelLog log) {
     this.kernel = kernel;
     this.log = log;
     common.whenUseChanges(this::useChanged);

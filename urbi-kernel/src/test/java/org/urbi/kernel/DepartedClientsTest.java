@@ -12,7 +12,7 @@ import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.trust.Role;
 
 /** What clients that have left leave behind has one budget in common. */
-class LeftBehindTest {
+class DepartedClientsTest {
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final Kernel kernel =
       Kernel.builder().log(log::add).logLevel(LogLevel.LOG).virtualTime(true).start();
@@ -137,14 +137,14 @@ class LeftBehindTest {
   void nothingIsKeptOfWhatHasEnded() {
     judge.say("var Global.go = Event.new;");
     visit("jobs=100", "for (50) disown({ waituntil (Global.go?) });");
-    assertEquals(1, kernel.leftBehind().all().size());
+    assertEquals(1, kernel.departed().all().size());
     judge.say("Global.go!; sleep(1s);");
-    assertEquals(0, kernel.leftBehind().all().size());
+    assertEquals(0, kernel.departed().all().size());
     for (int i = 0; i < 10; i++) {
       visit("jobs=100", sleepers(80));
       jobs();
     }
-    assertEquals(1, kernel.leftBehind().all().size());
+    assertEquals(1, kernel.departed().all().size());
   }
 
   /** It does let others run, so that nothing needs to end it at once. */
