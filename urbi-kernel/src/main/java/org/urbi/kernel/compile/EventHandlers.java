@@ -79,7 +79,8 @@ final class EventHandlers {
   Node stopIf(Ast.StopIf watched, LexicalScope block, HandledJumps seen) {
     var scheduler = compilation.interpreter().scheduler();
     var nothing = compilation.interpreter().values().voidObject;
-    // The tag is used only once: if the condition holds from the start, the code does not start.
+    // The tag is used only once, so it may stay blocked. A condition that holds from the start ends
+    // the code after its first step.
     return watched(
         watched,
         watched.condition(),
