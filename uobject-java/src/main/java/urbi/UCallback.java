@@ -69,8 +69,8 @@ public final class UCallback {
   }
 
   /**
-   * The same function, which is given even without a parameter what it is told of where that was
-   * not copied (manual, "0-copy mode"): it need not ask for it.
+   * The same function, which gets values that were not copied (manual, "0-copy mode") even if it
+   * has no parameter for them: it need not ask for the value.
    *
    * @param told what is called with such a {@link UValue}
    */

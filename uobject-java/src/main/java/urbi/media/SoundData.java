@@ -19,10 +19,10 @@ public record SoundData(
     @Nullable SampleFormat samples,
     byte[] data) {
   /**
-   * The same sound as another one is: its channels, rate, sample size and sample format, and this
-   * one's where those are not known.
+   * This sound with the channels, the rate, the sample size and the sample format of another one;
+   * what is not known of that one remains.
    *
-   * @param wanted its data do not matter
+   * @param wanted the other sound, whose data do not matter
    * @return has data of its own
    * @throws MediaException if the data are no such sound, or a format is not supported
    */

@@ -59,7 +59,7 @@ final class NativeContext {
   }
 
   /**
-   * It is no longer used.
+   * Ends the use of the context.
    *
    * @return whether the threads that the module has made for it have ended
    */

@@ -21,7 +21,7 @@ public final class Annexes {
   private Annexes() {}
 
   /**
-   * Those of a place.
+   * The annexes of a place.
    *
    * @param place where components live; it is not kept
    */

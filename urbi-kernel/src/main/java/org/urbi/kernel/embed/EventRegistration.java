@@ -46,7 +46,7 @@ final class EventRegistration implements Subscription {
   }
 
   /**
-   * It is subscribed.
+   * The registration for the program, once the event is subscribed.
    *
    * @param end ends what the subscription is for; on the kernel thread
    */

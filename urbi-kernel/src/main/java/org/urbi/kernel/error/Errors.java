@@ -259,7 +259,7 @@ public final class Errors {
   }
 
   /**
-   * The same.
+   * The error of a number that a routine cannot use, with a text for the number.
    *
    * @param shown the text of the number
    */

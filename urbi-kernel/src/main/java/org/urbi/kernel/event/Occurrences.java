@@ -6,7 +6,7 @@ public final class Occurrences {
   private long last = -1;
 
   /**
-   * It happens.
+   * Counts one time that it has happened.
    *
    * @param now in nanoseconds of the scheduler
    */

@@ -422,8 +422,8 @@ public final class Job extends JobFacts implements Runnable {
   }
 
   /**
-   * The same for long work in Java, which costs next to nothing: checks each time that so much has
-   * been done that it may have taken a millisecond.
+   * Throws if somebody has asked to end this job; for long work in Java, where it costs next to
+   * nothing: it looks each time that so much has been done that it may have taken a millisecond.
    *
    * @param more how many steps have been done since it was last called, or are about to be: each of
    *     some nanoseconds, as it takes to look at a number, or at sixteen characters

@@ -321,7 +321,8 @@ public final class Scheduler {
   }
 
   /**
-   * The same for the running job, which {@linkplain #hasOthers has found} others: no grant is left.
+   * Queues the running job, which {@linkplain #hasOthers has found} that others wait: it may not go
+   * on at once.
    */
   void enqueueAgain(Job job) {
     if (turnMeter != null) {

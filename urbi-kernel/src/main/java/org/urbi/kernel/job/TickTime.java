@@ -13,8 +13,8 @@ public final class TickTime {
   private static final int BUSY_CYCLES = 1000;
 
   /**
-   * It moves on by a microsecond for each of these cycles: otherwise a job that never waits would
-   * keep sleeping jobs asleep for ever.
+   * By how much simulated time moves on then: a microsecond for each of these cycles. Otherwise a
+   * job that never waits would keep sleeping jobs asleep for ever.
    */
   private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
 

@@ -222,7 +222,7 @@ public final class Timers {
   }
 
   /**
-   * The same for a sleeping job, which is not counted as a timer because it is counted as a job.
+   * Wakes a sleeping job at that time; it is not counted as a timer, because the job is counted.
    */
   Timer addUncounted(long deadline, Budget account, Runnable action) {
     return add(deadline, account, null, action);

@@ -15,8 +15,8 @@ public final class Dependencies {
     void invalidated();
 
     /**
-     * The same, but whoever has changed it must end: he may spend no more time on this, except on
-     * what is others'.
+     * Something that the condition read has changed, and the job that has changed it must end: it
+     * may spend no more time on this, except on the conditions of others.
      */
     default void invalidatedLater() {
       invalidated();

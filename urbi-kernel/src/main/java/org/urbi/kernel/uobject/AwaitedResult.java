@@ -58,7 +58,8 @@ final class AwaitedResult {
   }
 
   /**
-   * The same; if the job is stopped, the stage is cancelled, so that the component need not go on.
+   * Waits for the result of a stage. If the job is stopped, the stage is cancelled, so that the
+   * component need not go on.
    *
    * @param troubles are told what a stage throws that does not want to be cancelled
    * @throws CompletionException if the result is a failure

@@ -61,7 +61,7 @@ final class KernelCrossing {
   }
 
   /**
-   * The same for Java code of an object.
+   * Called before urbiscript calls Java code of an object.
    *
    * @param self that object in urbiscript
    */
@@ -125,7 +125,7 @@ final class KernelCrossing {
   }
 
   /**
-   * Likewise, for what is asked of a variable.
+   * Has the kernel do what is asked of a variable, which other threads can ask for by data.
    *
    * @param slot the variable that the message names by its number
    */

@@ -24,8 +24,9 @@ public final class ConnectionList {
   }
 
   /**
-   * Those there are, the oldest first. In simulated time those whose variables nobody refers to are
-   * looked for first, so that runs can be repeated; otherwise they may be among them for a while.
+   * The links between variables, the oldest first. In simulated time links whose variables nobody
+   * refers to are found and left out, so that runs can be repeated; otherwise they may be listed
+   * for a while.
    */
   public List<UrbiConnection> all() {
     if (simulated && !connections.isEmpty()) {

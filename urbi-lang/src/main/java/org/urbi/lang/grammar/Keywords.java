@@ -8,8 +8,9 @@ import java.util.Set;
 /** What each word means to the scanner (manual, "Keywords"). */
 public final class Keywords {
   /**
-   * Those of the grammar from ASSERT to OR_EQ, in its order. The lexer knows them, too, but only
-   * after it has read all of its tables, which takes longer than to read a short script.
+   * The words of the grammar from ASSERT to OR_EQ, in its order; a test compares them. The lexer
+   * knows them, too, but only after it has read all of its tables, which takes longer than to read
+   * a short script.
    */
   private static final String[] WORDS =
       ("assert at break call case catch class closure const continue default do else"

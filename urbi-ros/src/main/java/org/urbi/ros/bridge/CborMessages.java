@@ -49,7 +49,7 @@ final class CborMessages {
   }
 
   /**
-   * The same with the message as its nodes send it, for clients that read that themselves.
+   * What tells a client of a message, as its nodes send it: for clients that read that themselves.
    *
    * @param now when it came, in nanoseconds since 1970
    */

@@ -94,8 +94,8 @@ public record ParticipantOptions(
   }
 
   /**
-   * The same that keeps at most so many bytes of each history, and receives samples of at most as
-   * many.
+   * A copy with limits of memory: at most so many bytes of each history are kept, and larger
+   * samples are not received.
    */
   public ParticipantOptions withMemory(int sample, long bytes) {
     return with(draft -> {

@@ -37,7 +37,7 @@ public final class Evaluation {
   }
 
   /**
-   * The same.
+   * Evaluates a whole text on a target, and tells of each statement.
    *
    * @param seen is given the value of each statement, and the frame in which it was executed
    */

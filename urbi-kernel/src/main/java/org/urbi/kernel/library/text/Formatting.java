@@ -109,9 +109,9 @@ public final class Formatting {
   }
 
   /**
-   * The same for numbers that fit. The product is the sum of its rounded value and the error of
-   * that, both of which are known exactly; the error is smaller than what the rounded value can be
-   * away from a half without being one.
+   * A number that fits into a long with so many decimals. The product is the sum of its rounded
+   * value and the error of that, both of which are known exactly; the error is smaller than what
+   * the rounded value can be away from a half without being one.
    */
   private static String fixedByLong(double size, int precision) {
     double power = POWERS_OF_TEN[precision];
