@@ -100,7 +100,7 @@ class StudioSlotTest {
     browser.evaluate(
         """
         const press = (key) => document.querySelector('#variable-tree').dispatchEvent(new KeyboardEvent('keydown', {key}));
-        for (let i = 0; i < 100; i++) press(i % 2 ? 'ArrowUp' : 'ArrowDown');
+        for (let i = 0; i < 500; i++) press(i % 2 ? 'ArrowUp' : 'ArrowDown');
         """
             + line("Global .exact")
             + ".click()");
