@@ -1,6 +1,7 @@
 package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -47,6 +48,19 @@ class HostileClientsTest {
           "for& (300000) sleep(1000s);",
           "var l = []| while|(true) l << \"x\"*1000;",
           "loop { echo(\"x\" * 10000) };");
+
+  /** What reads and writes files without end, or one that has none. */
+  private static final List<String> FILES =
+      List.of(
+          "loop| { try { File.new(\"/dev/zero\").content } catch {} };",
+          "loop| { var o = OutputStream.new(File.create(\"one\"))|"
+              + " for| (100) o << \"x\" * 10000| o.close };",
+          "var o = OutputStream.new(File.create(\"lines\"))| o << \"\\n\" * 1000000| o.close|"
+              + " loop| File.new(\"lines\").asList.size;",
+          "for| (var i: 1000) File.create(\"file \" + i)| loop| Directory.new(\".\").content;");
+
+  /** What a reader of the log must not be made to believe. */
+  private static final String FORGED = "urbi: memory exhausted";
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
@@ -95,6 +109,98 @@ class HostileClientsTest {
   @Test
   void clientThatFillsTheMemoryDelaysNobody() throws Exception {
     anotherClientIsAnsweredWhileAndAfter(CROWDS, "-Xmx300m");
+  }
+
+  @Test
+  void clientThatIsBusyWithFilesDelaysNobody() throws Exception {
+    anotherClientIsAnsweredWhileAndAfter(FILES, "-Xmx1g");
+  }
+
+  /**
+   * Sends a command of telnet again and again, and reads no answer, until so many bytes are sent or
+   * the server lets it go.
+   */
+  private static Thread flood(ServerProcess server, String command, int most) {
+    byte[] many = command.repeat(1 << 12).getBytes(StandardCharsets.ISO_8859_1);
+    return Thread.ofPlatform()
+        .start(() -> {
+          try (Socket socket = new Socket(LOOPBACK, server.port())) {
+            for (int sent = 0; sent < most; sent += many.length) {
+              socket.getOutputStream().write(many);
+            }
+          } catch (IOException e) {
+            // It has been let go.
+          }
+        });
+  }
+
+  /** The kernel is held as often as may be, so that it can take no message. */
+  @Test
+  void floodOfInterruptionsDelaysNobody() throws Exception {
+    try (ServerProcess server =
+            ServerProcess.in(
+                JavaProcess.Setting.in(folder).with("JAVA_TOOL_OPTIONS", "-Xmx200m"),
+                "--budget",
+                "hold=100");
+        Judge judge = Judge.of(server)) {
+      send(server, "while|(true){};\n".repeat(20));
+      Thread flood = flood(server, "\u00ff\u00f4", 1 << 21);
+      do {
+        judge.isAnswered("interruptions without end");
+      } while (flood.isAlive());
+      closeAll();
+      judge.isAnswered("interruptions without end, which have ended");
+      assertFalse(server.text().contains("memory"), server.text());
+      assertEquals(0, server.shutDown());
+    } finally {
+      closeAll();
+    }
+  }
+
+  /** Each question is shorter than its answer, which nobody reads. */
+  @Test
+  void floodOfTelnetQuestionsDelaysNobodyAndIsLetGo() throws Exception {
+    try (ServerProcess server =
+            ServerProcess.in(
+                JavaProcess.Setting.in(folder).with("JAVA_TOOL_OPTIONS", "-Xmx200m"),
+                "--max-output",
+                "1");
+        Judge judge = Judge.of(server)) {
+      for (String question :
+          List.of("\u00ff\u00f6", "\u00ff\u00fd\u0001", "\u00ff\u00faUinterrupt\u00ff\u00f0")) {
+        Thread flood = flood(server, question, Integer.MAX_VALUE / 2);
+        do {
+          judge.isAnswered("questions of telnet");
+        } while (flood.isAlive());
+        judge.isAnswered("questions of telnet, which have ended");
+      }
+      assertEquals(0, server.shutDown());
+      assertEquals(3, server.text().split("does not read what it is sent", -1).length - 1);
+      assertFalse(server.text().contains("memory"), server.text());
+    }
+  }
+
+  @Test
+  void clientsThatFloodTheLogHideAndForgeNothing() throws Exception {
+    try (ServerProcess server = ServerProcess.in(folder, "--budget", "hold=100");
+        Judge judge = Judge.of(server)) {
+      for (int i = 0; i < 5; i++) {
+        send(server, "loop Logger.log(\"x\\n" + FORGED + "\" + \"\\x1b[2J\" * 1000);\n");
+        send(server, "loop| Logger.log(\"x\", \"\\n" + FORGED + "\");\n");
+        judge.isAnswered("much for the log");
+      }
+      closeAll();
+      judge.isAnswered("much for the log");
+      assertEquals(0, server.shutDown());
+      List<String> lines = server.text().lines().toList();
+      assertTrue(lines.stream().noneMatch(line -> line.startsWith(FORGED)), server.text());
+      assertTrue(lines.stream().anyMatch(line -> line.contains("logs too much")), server.text());
+      // Of each that has held the kernel the log tells: nothing of the server's own is lost.
+      assertFalse(server.text().contains("messages are lost here"), server.text());
+      assertFalse(server.text().contains("\u001b"), server.text());
+    } finally {
+      closeAll();
+    }
   }
 
   /**
