@@ -108,5 +108,6 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
     StreamFailure.close(context, cause, WHERE);
+    halt(context);
   }
 }
