@@ -112,8 +112,7 @@ class StudioPlotTest {
     browser.evaluate("location.hash = 'variables'");
     browser.await("the room", hidden, "false"::equals);
     browser.await("its new width", FITS, "true"::equals);
-    assertEquals("", browser.evaluate(StudioTest.CUT));
-    assertEquals("", browser.evaluate(StudioTest.TOO_SMALL));
+    Fit.checkForFingers(browser, "with its plot");
   }
 
   private static void goesOn(Browser browser, String zoomed) throws Exception {

@@ -78,8 +78,7 @@ class StudioReactionsTest {
     String read = row("at (x > 5)") + ".querySelector('.reads')";
     String seen = "return %s.checkVisibility() && %s.textContent".formatted(read, read);
     browser.await("what it has read", seen, "has read x"::equals);
-    assertEquals("", browser.evaluate(StudioTest.CUT));
-    assertEquals("", browser.evaluate(StudioTest.TOO_SMALL));
+    Fit.checkForFingers(browser, "on a telephone");
     Accessibility.check(browser);
     browser.becomeUsual();
     browser.await("the column", seen, "false"::equals);

@@ -26,28 +26,6 @@ class StudioTest {
   private static final String LETTERS =
       "return parseFloat(getComputedStyle(document.body).fontSize)";
 
-  /** What of a page is beyond its sides. */
-  static final String CUT =
-      """
-      const wide = document.documentElement.clientWidth;
-      const cut = [...document.querySelectorAll('body *')].filter((element) => {
-        const {left, right, width, height} = element.getBoundingClientRect();
-        return width && height && (left < -1 || right > wide + 1);
-      });
-      if (document.documentElement.scrollWidth > wide) cut.push(document.body);
-      return cut.map((element) => element.id || element.className || element.tagName).join(' ');
-      """;
-
-  /** What a finger can hardly hit. */
-  static final String TOO_SMALL =
-      """
-      const small = [...document.querySelectorAll('button, select, input, a, [role=treeitem], .twisty')].filter((element) => {
-        const {width, height} = element.getBoundingClientRect();
-        return width && height && (width < 44 || height < 44) && !element.matches('p a');
-      });
-      return small.map((element) => element.id || element.className || element.textContent).join(' ');
-      """;
-
   /** JavaScript that finds the row of the job whose code begins like that. */
   private static String row(String code) {
     return "[...document.querySelectorAll('.row:not(.ended)')]"
@@ -206,8 +184,7 @@ class StudioTest {
       browser.evaluate("document.querySelector('nav a[href=\"#" + room + "\"]').click()");
       String open = "return !!document.querySelector('[data-room=" + room + "]:not([hidden])')";
       browser.await("the room " + room, open, "true"::equals);
-      assertEquals("", browser.evaluate(CUT), room);
-      assertEquals("", browser.evaluate(TOO_SMALL), room);
+      Fit.checkForFingers(browser, room);
     }
     browser.becomeScreen(1000, 800);
     String lines =
@@ -219,7 +196,7 @@ class StudioTest {
     browser.await("room for what jobs do", code, "true"::equals);
     browser.becomeWall();
     browser.await("large letters", LETTERS, size -> Double.parseDouble(size) > 24);
-    assertEquals("", browser.evaluate(CUT), "on a wall");
+    Fit.check(browser, "on a wall");
     browser.becomeUsual();
     browser.await("usual letters", LETTERS, "15"::equals);
   }

@@ -79,8 +79,7 @@ class StudioVariablesTest {
     assertEquals("true", browser.evaluate(seen));
     String unit = "return getComputedStyle(%s, '::after').content".formatted(rate);
     assertEquals("\\\" per s\\\"", browser.evaluate(unit));
-    assertEquals("", browser.evaluate(StudioTest.CUT));
-    assertEquals("", browser.evaluate(StudioTest.TOO_SMALL));
+    Fit.checkForFingers(browser, "on a telephone");
     browser.becomeUsual();
   }
 

@@ -135,7 +135,8 @@ export class Room {
 
   runLine() {
     const text = this.line.text();
-    if (text.trim() && this.studio.mayChange) {
+    if (!this.studio.mayChange) this.studio.alert(this.studio.limit);
+    else if (text.trim()) {
       this.history.add(text);
       this.line.put("");
       this.log.typed(text);
@@ -151,7 +152,10 @@ export class Room {
   }
 
   async run(file, code) {
-    if (!this.studio.mayChange) return;
+    if (!this.studio.mayChange) {
+      this.studio.alert(this.studio.limit);
+      return;
+    }
     if (code.length > LONGEST) {
       this.studio.alert(`At most ${LONGEST.toLocaleString("en")} characters can be run at once: select less.`);
       return;

@@ -8,19 +8,22 @@ export class Recording {
   constructor(studio, button, state) {
     Object.assign(this, { studio, button, state });
     this.file = "";
+    this.told = "";
     button.addEventListener("click", () => this.toggle());
   }
 
   take(message) {
     if (message.type === "output") this.failure = FAILURE.exec(message.text)?.[1] ?? this.failure;
     if (message.type !== "recording") return;
-    set(this.state, message.file ? `records to ${message.file}` : this.file && `the recording to ${this.file} has ended`);
+    this.told = message.file ? `records to ${message.file}` : this.file && `the recording to ${this.file} has ended`;
     this.file = message.file;
     this.draw();
   }
 
   draw() {
-    this.button.disabled = this.studio.role !== "owner";
+    const { role } = this.studio;
+    this.button.disabled = role !== "owner";
+    set(this.state, this.told || (!role || role === "owner" ? "" : "Only an owner may record."));
     this.button.setAttribute("aria-pressed", Boolean(this.file));
     set(this.button, this.file ? "Stop recording" : "Record");
   }

@@ -122,6 +122,7 @@ export class Slot {
   }
 
   edit() {
+    if (!this.studio.mayChange) this.studio.alert(this.studio.limit);
     this.find("slot-value").focus();
     this.find("slot-value").select();
   }
