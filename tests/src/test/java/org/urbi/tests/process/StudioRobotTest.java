@@ -18,6 +18,7 @@ class StudioRobotTest {
       var Global.pitch = s.robot.body.neck.head.pitch|;
       pitch.val = -0.6|;
       s.showPage(0, nil)|;
+      echo("The world has a page.")|;
       """;
 
   /** JavaScript: the page of the world, within the one of the studio. */
@@ -62,6 +63,7 @@ class StudioRobotTest {
     try (StudioPage page =
         StudioPage.start(setting, Browser.spatial(), folder, PROGRAM, "#robot")) {
       Browser browser = page.browser();
+      page.urbi().awaitText("The world has a page.");
       browser.await("the world", STATE, "live"::equals);
       obeysAVariable(browser, page.urbi());
       showsEachSpeed(browser, page.urbi());
