@@ -271,7 +271,7 @@ class JobViewTest {
     }
     for (Action action : Action.values()) {
       String refused = observer.steer(action, true, observer.tag("mine").number());
-      assertTrue(refused.contains("needs the role user"), refused);
+      assertTrue(refused.contains("needs the role owner"), refused);
     }
     assertEquals(job, owner.under("mine"));
   }
