@@ -101,7 +101,8 @@ class GuestsTest {
             at (robot.plain > 1) echo("plain") onleave echo("no more");
             { waituntil (started?(var y)); echo("waited " + y) },
             """));
-    owner.say("started!(3); robot.speed = 7; robot.plain = 7; sleep(1s); robot.plain = 1; sleep(1s);");
+    owner.say(
+        "started!(3); robot.speed = 7; robot.plain = 7; sleep(1s); robot.plain = 1; sleep(1s);");
     String told = observer.say("sleep(1ms)|;");
     for (String line : new String[] {"hook 7", "event 3", "over", "plain", "no more", "waited 3"}) {
       assertEquals(1, told.lines().filter(("*** " + line)::equals).count(), told);

@@ -9,8 +9,8 @@ import org.urbi.kernel.object.UrbiObject;
 
 /**
  * A function of urbiscript as a hook, whose target is the variable. It runs for the lobby that has
- * installed it: in the job that writes or reads, or in one of its own if that job may do more, which
- * then neither waits for the function nor is ended with it.
+ * installed it: in the job that writes or reads, or in one of its own if that job may do more,
+ * which then neither waits for the function nor is ended with it.
  */
 final class FunctionHook implements Hook {
   private final UrbiObject lobby;

@@ -164,8 +164,7 @@ class RecordedRunTest {
       one.connection.send(program(file));
       one.over.get();
       two.connection.send("echo(40 + 2);\n");
-      visit(
-          kernel, "var Global.visited = 1 | echo(\"a visit is over\");\n", Connection::end);
+      visit(kernel, "var Global.visited = 1 | echo(\"a visit is over\");\n", Connection::end);
       two.connection.send("echo(\"with input ended: \" + System.lobbies.size);\n");
       visit(kernel, "echo(\"a visit is over\");\n", Connection::close);
       two.connection.send("echo(\"with another gone: \" + System.lobbies.size);\n");
