@@ -60,7 +60,7 @@ export class Stream {
 
   take(message) {
     if (message.type === "hello") this.welcome();
-    else if (message.type === "refused") this.refuse(message.text);
+    else if (message.type === "refused") this.refuse(message);
     this.onMessage(message);
   }
 
@@ -73,15 +73,14 @@ export class Stream {
     this.onState("live", "live", this.connections);
   }
 
-  refuse(text) {
+  // again: in how many seconds it may be let in, if it can be at all.
+  refuse({ text, again }) {
     this.refused = true;
     this.onState("lost", text, this.connections);
-    // After wrong tokens the server takes none for a while, and says at the end for how long.
-    const [, seconds] = / (\d+) s$/.exec(text) ?? [];
-    if (this.welcomed) this.comeAgain(LONG_WAIT);
+    if (again) this.comeAgain(again * 1000);
+    else if (this.welcomed) this.comeAgain(LONG_WAIT);
     else {
       forget("session", "token");
-      if (seconds) this.comeAgain(seconds * 1000);
       this.onRefused();
     }
   }
