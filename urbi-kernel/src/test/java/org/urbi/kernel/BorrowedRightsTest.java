@@ -172,16 +172,6 @@ class BorrowedRightsTest {
   }
 
   @Test
-  void lazyFunctionsOfAnObserverHaveNoRightsOfAUser() {
-    observer.say("var lobby.trap = function { robot.plain = 99 }|;");
-    assertRefused(
-        user,
-        "for (var l : Lobby.instances) if (l.hasLocalSlot(\"trap\")) l.trap(1);",
-        "this lobby has the role observer");
-    assertEquals("1", owner.say("robot.plain;"));
-  }
-
-  @Test
   void theLibrarysOwnCodeIsNotThatOfItsFirstCaller() {
     assertEquals("[\"a\", \"b\"]", observer.say("\"ab\".asList;"));
     owner.say("var s = \"ab\"|; function s.split(var by) { getenv(\"HOME\") | 1 }|;");

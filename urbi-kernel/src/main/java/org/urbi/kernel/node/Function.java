@@ -268,7 +268,7 @@ public final class Function extends Code {
 
   /** Runs with prepared variables: the parameters first, then room for the others. */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
-    if (boundLobby != null && changesLobby(caller, boundLobby)) {
+    if (boundLobby != null && boundLobby != caller.job.lobby() && changesLobby(caller)) {
       UrbiObject lobby = caller.job.lobby();
       caller.job.identity().become(boundLobby);
       try {
@@ -280,6 +280,15 @@ public final class Function extends Code {
     return caller.interpreter.profiling
         ? runProfiled(caller, site, self, locals)
         : execute(caller, site, self, locals);
+  }
+
+  /**
+   * Whether the call changes the lobby of the job. Lazy arguments of the caller must not run with
+   * the permissions of a more privileged lobby. This is in each call: what makes its frame on the
+   * stack larger makes recursion less deep.
+   */
+  private boolean changesLobby(Frame caller) {
+    return caller.job.isOwner() || !isLazy();
   }
 
   private UrbiObject runProfiled(
