@@ -155,12 +155,18 @@ class BorrowedRightsTest {
     assertEquals("7", owner.say("robot.plain;"));
   }
 
+  /** The virtual machine hands over what it has collected when it likes to. */
   @Test
   void whatIsFinalizedHasTheRightsOfWhoMadeIt() {
     observer.say(
         "var f = Finalizable.new|; f.setSlot(\"finalize\", System.getSlotValue(\"shutdown\"))|;");
     observer.say("detach({ sleep(1s); f = nil })|;");
-    assertRefused(owner, "sleep(2s);", NEEDS_OWNER + "observer");
+    String answer = owner.say("sleep(2s);");
+    while (!answer.contains("!!! ")) {
+      System.gc();
+      answer = owner.say("0;");
+    }
+    assertTrue(answer.contains(NEEDS_OWNER + "observer"), answer);
     owner.say(
         """
         var Global.resource = Finalizable.new|;
@@ -168,7 +174,9 @@ class BorrowedRightsTest {
         detach({ sleep(1s); Global.resource = nil })|;
         """);
     observer.say("sleep(2s);");
-    assertEquals("5", owner.say("robot.plain;"));
+    while (!observer.say("robot.plain;").equals("5")) {
+      System.gc();
+    }
   }
 
   @Test
