@@ -115,7 +115,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
   private void shown(ChannelHandlerContext context, String token, int length) {
     String address = address(context);
     if (wrong.isKnown(address, token)) {
-      refuse(context, "wrong token");
+      refuse(context, Problem.WRONG_TOKEN.text());
       return;
     }
     long wait = wrong.secondsToWait(address);

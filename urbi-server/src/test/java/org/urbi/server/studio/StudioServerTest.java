@@ -475,7 +475,7 @@ class StudioServerTest {
             "{\"type\":\"steer\",\"id\":1,\"action\":\"stop\",\"kind\":\"tag\",\"target\":"
                 + number
                 + "}");
-        assertTrue(observer.await("\"done\"").contains("needs the role user"));
+        assertTrue(observer.await("\"done\"").contains("needs the role owner"));
         kernel.eval("guarded.stop");
         observer.send(code("run", 2, "echo(1)"));
         assertTrue(observer.await("\"id\":2,\"error\"").contains("needs the role user"));
