@@ -282,11 +282,9 @@ class StudioRolesTest {
     selectResting();
     tryInVain(
         button("document.querySelector('#job')", "Stop") + ".click()", "needs the role owner");
-    String tag = "document.querySelector('[data-tag=counting]')";
-    for (String[] step : new String[][] {{"Freeze", "Unfreeze"}, {"Unfreeze", "Freeze"}}) {
-      act(button(tag, step[0]) + ".click()");
-      await("what can be done next", "return !!" + button(tag, step[1]), "true"::equals);
-    }
+    tryInVain(
+        button("document.querySelector('[data-tag=counting]')", "Freeze") + ".click()",
+        "needs the role owner");
   }
 
   private void userEmits(JavaProcess urbi) throws Exception {
