@@ -4,6 +4,9 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import urbi.UCastException;
+import urbi.UClientException;
+import urbi.UConversionException;
+import urbi.UModuleException;
 
 /** Describes an exception in the code of a UObject, for users. */
 public final class Failure {
@@ -19,6 +22,26 @@ public final class Failure {
       cause = cause.getCause();
     }
     return cause;
+  }
+
+  /**
+   * Whether nobody but us can have caused the failure of what others have asked for. What the
+   * kernel refuses, what urbiscript throws and what ends a job has no Java stack trace, or is of a
+   * class that says what is wrong.
+   */
+  public static boolean isDefect(Throwable failure) {
+    return switch (failure) {
+      case StackOverflowError e -> false;
+      case Error e -> true;
+      case IllegalArgumentException e -> false;
+      case IllegalStateException e -> false;
+      case UCastException e -> false;
+      case UClientException e -> false;
+      case UConversionException e -> false;
+      case UModuleException e -> false;
+      case InterruptedException e -> false;
+      default -> failure.getStackTrace().length > 0;
+    };
   }
 
   /** What a UObject threw, for people. */
