@@ -4,7 +4,6 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiCode;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.trust.RoleHolder;
 
 /** What can be called: functions written in urbiscript, and primitives written in Java. */
 public abstract class Code extends UrbiCode {
@@ -19,17 +18,6 @@ public abstract class Code extends UrbiCode {
 
   /** Whether it wants its arguments unevaluated, in a call message. */
   public abstract boolean isLazy();
-
-  /**
-   * Whether a call makes the job run for the lobby to which the code is bound. Lazy arguments of
-   * the caller must not run with the permissions of a more privileged lobby.
-   */
-  final boolean changesLobby(Frame caller, UrbiObject bound) {
-    return caller.job.lobby() != bound
-        && (!isLazy()
-            || caller.job.isOwner()
-            || RoleHolder.roleOf(bound).compareTo(caller.job.identity().role()) < 0);
-  }
 
   /**
    * Calls it.

@@ -225,10 +225,7 @@ public final class Function extends Code {
   /** The same function, with the permissions of that lobby; of one that is unbound. */
   Function boundTo(UrbiObject lobby) {
     Function bound = new Function(cloneShape(), body, captured, boundSelf, lobby, home);
-    UrbiObject ownerLobby = ownerLobby();
-    if (ownerLobby != null) {
-      bound.setOwnerLobby(ownerLobby);
-    }
+    bound.takeOwnerOf(this);
     return bound;
   }
 

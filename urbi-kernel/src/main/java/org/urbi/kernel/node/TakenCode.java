@@ -48,9 +48,18 @@ public final class TakenCode extends Code {
 
   @Override
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
-    return changesLobby(caller, lobby)
+    return changesLobby(caller)
         ? caller.job.identity().doFor(lobby, () -> code.call(caller, site, self, arguments))
         : code.call(caller, site, self, arguments);
+  }
+
+  /**
+   * Whether the call makes the job run for the lobby. Lazy arguments of the caller must not run
+   * with the permissions of a more privileged lobby.
+   */
+  private boolean changesLobby(Frame caller) {
+    return caller.job.lobby() != lobby
+        && (!isLazy() || caller.job.isOwner() || caller.job.identity().isAbove(lobby));
   }
 
   /** It belongs to whom the code belongs to. */

@@ -501,6 +501,14 @@ public class UrbiObject {
     extra().ownerLobby = whose;
   }
 
+  /** Gives it the owner of another object, if that has one. */
+  public final void takeOwnerOf(UrbiObject other) {
+    UrbiObject whose = other.ownerLobby();
+    if (whose != null) {
+      setOwnerLobby(whose);
+    }
+  }
+
   // ------------------------------------------------------------------ what it keeps for others
 
   /** What was set for it to keep; null if nothing was. */

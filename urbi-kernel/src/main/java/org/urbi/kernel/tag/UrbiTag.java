@@ -32,10 +32,7 @@ public class UrbiTag extends UrbiObject {
     UrbiTag clone = new UrbiTag(cloneShape());
     if (localSlot(world().symbol("type")) == null) {
       clone.parent = this;
-      UrbiObject ownerLobby = ownerLobby();
-      if (ownerLobby != null) {
-        clone.setOwnerLobby(ownerLobby);
-      }
+      clone.takeOwnerOf(this);
     }
     return clone;
   }

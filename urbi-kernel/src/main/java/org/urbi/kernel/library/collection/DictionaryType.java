@@ -256,10 +256,7 @@ final class DictionaryType {
       return known;
     }
     UrbiObject event = caller.interpreter().prototypes().event.cloned();
-    UrbiObject ownerLobby = self.ownerLobby();
-    if (ownerLobby != null) {
-      event.setOwnerLobby(ownerLobby);
-    }
+    event.takeOwnerOf(self);
     if (known == null) {
       self.addSlot(name, event);
     }

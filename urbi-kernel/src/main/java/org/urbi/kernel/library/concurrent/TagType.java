@@ -161,10 +161,7 @@ public final class TagType {
   /** A new event of a tag, which belongs to the tag's own lobby, whoever asks for it first. */
   private static UrbiEvent event(Frame frame, UrbiTag self) {
     UrbiEvent made = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
-    UrbiObject ownerLobby = self.ownerLobby();
-    if (ownerLobby != null) {
-      made.setOwnerLobby(ownerLobby);
-    }
+    made.takeOwnerOf(self);
     return made;
   }
 
