@@ -113,24 +113,15 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
   }
 
   private void shown(ChannelHandlerContext context, String token, int length) {
-    String address = address(context);
-    if (wrong.isKnown(address, token)) {
-      refuse(context, Problem.WRONG_TOKEN.text());
-      return;
-    }
-    long wait = wrong.secondsToWait(address);
-    if (wait > 0) {
-      refuse(context, Problem.TOKEN_TOO_SOON.text(wait));
-      return;
-    }
-    Tokens.TokenHolder holder = accessPolicy.holder(token);
+    TokenThrottle.Verdict verdict = wrong.judge(accessPolicy, address(context), token);
+    Tokens.TokenHolder holder = verdict.holder();
     if (holder == null) {
-      wrong.recordFailure(address, token);
-      trace.log("wrong token: " + context.channel().remoteAddress());
-      refuse(context, Problem.WRONG_TOKEN.text());
+      if (verdict.isGuess()) {
+        trace.log("wrong token: " + context.channel().remoteAddress());
+      }
+      refuse(context, verdict.reason());
       return;
     }
-    wrong.recordSuccess(address);
     trace.debug("token of " + holder.name() + ": " + context.channel().remoteAddress());
     admit(context, holder.role());
     passOn(context, length);

@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -31,6 +33,20 @@ public final class TokenThrottle {
     static final Offender NEW = new Offender(0, Long.MIN_VALUE, List.of());
   }
 
+  /**
+   * What comes of a token that somebody has shown.
+   *
+   * @param holder whose it is; null if it is refused
+   * @param seconds for how many seconds no other one is looked at; 0 if it is wrong, or right
+   * @param isGuess whether it is wrong, and was not known to be
+   */
+  public record Verdict(Tokens.@Nullable TokenHolder holder, long seconds, boolean isGuess) {
+    /** Why it is refused. */
+    public String reason() {
+      return seconds > 0 ? Problem.TOKEN_TOO_SOON.text(seconds) : Problem.WRONG_TOKEN.text();
+    }
+  }
+
   private final Clock clock;
   private final Map<String, Offender> offenders =
       new LinkedHashMap<>() {
@@ -46,8 +62,26 @@ public final class TokenThrottle {
     this.clock = clock;
   }
 
+  /** Judges a token that was shown from an address, and remembers what has come of it. */
+  public Verdict judge(AccessPolicy accessPolicy, String address, String token) {
+    if (isKnown(address, token)) {
+      return new Verdict(null, 0, false);
+    }
+    long wait = secondsToWait(address);
+    if (wait > 0) {
+      return new Verdict(null, wait, false);
+    }
+    Tokens.TokenHolder holder = accessPolicy.holder(token);
+    if (holder == null) {
+      recordFailure(address, token);
+    } else {
+      recordSuccess(address);
+    }
+    return new Verdict(holder, 0, holder == null);
+  }
+
   /** For how many seconds that address still has to wait; 0 for none. */
-  public long secondsToWait(String address) {
+  long secondsToWait(String address) {
     Offender offender = offenders.get(address);
     long now = clock.now();
     return offender == null || offender.until <= now
@@ -56,13 +90,13 @@ public final class TokenThrottle {
   }
 
   /** Whether that address has shown that token not long ago, and it was wrong. */
-  public boolean isKnown(String address, String token) {
+  boolean isKnown(String address, String token) {
     Offender offender = offenders.get(address);
     return offender != null && offender.tokens.contains(Tokens.digest(token));
   }
 
   /** Records a wrong token from that address. */
-  public void recordFailure(String address, String token) {
+  void recordFailure(String address, String token) {
     Offender before = Objects.requireNonNullElse(offenders.remove(address), Offender.NEW);
     List<String> tokens = new ArrayList<>(before.tokens);
     tokens.add(Tokens.digest(token));
@@ -75,7 +109,7 @@ public final class TokenThrottle {
   }
 
   /** After a right token that address does not have to wait, and begins anew. */
-  public void recordSuccess(String address) {
+  void recordSuccess(String address) {
     offenders.computeIfPresent(
         address, (same, known) -> new Offender(0, Long.MIN_VALUE, known.tokens));
   }

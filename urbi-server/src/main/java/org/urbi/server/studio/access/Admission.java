@@ -17,8 +17,6 @@ import org.urbi.web.Refused;
 
 /** Decides who is let in, and as what, by the token in the address that he asks for. */
 public final class Admission {
-  private static final String WRONG = "wrong token";
-
   private final AccessPolicy accessPolicy;
   private final Trace trace;
   private final Places places;
@@ -58,21 +56,14 @@ public final class Admission {
     }
     InetSocketAddress from = (InetSocketAddress) channel.remoteAddress();
     String address = from.getAddress().getHostAddress();
-    String token = tokens.getFirst();
-    if (wrong.isKnown(address, token)) {
-      throw new Refused(WRONG, 0);
-    }
-    long wait = wrong.secondsToWait(address);
-    if (wait > 0) {
-      throw new Refused("after a wrong token, no other one for " + wait + " s", (int) wait);
-    }
-    Tokens.TokenHolder holder = accessPolicy.holder(token);
+    TokenThrottle.Verdict verdict = wrong.judge(accessPolicy, address, tokens.getFirst());
+    Tokens.TokenHolder holder = verdict.holder();
     if (holder == null) {
-      wrong.recordFailure(address, token);
-      trace.log("studio: wrong token: " + from);
-      throw new Refused(WRONG, 0);
+      if (verdict.isGuess()) {
+        trace.log("studio: wrong token: " + from);
+      }
+      throw new Refused(verdict.reason(), (int) verdict.seconds());
     }
-    wrong.recordSuccess(address);
     return holder.role();
   }
 
