@@ -8,14 +8,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.urbi.kernel.trust.Role;
 
 /**
  * What users and observers leave where an owner comes by, to have done what they may not do:
  * functions of the library, and functions of the owner, which have the rights of their caller.
  */
-class BorrowedRightsTest {
-  private static final String NEEDS_OWNER = "needs the role owner, and this lobby has the role ";
+class BorrowedRightsTest extends RolesFixture {
 
   /** What an owner's program does all day. */
   private static final String DAY =
@@ -35,43 +33,27 @@ class BorrowedRightsTest {
       robot.speed = 8;
       """;
 
-  private Kernel kernel;
-  private TestClient owner;
-  private TestClient user;
-  private TestClient observer;
-
   @BeforeEach
   void start() {
-    kernel = Kernel.builder().virtualTime(true).log(line -> {}).start();
-    owner = new TestClient(kernel, Role.OWNER);
-    user = new TestClient(kernel, Role.USER);
-    observer = new TestClient(kernel, Role.OBSERVER);
-    assertEquals(
-        "",
-        owner.say(
-            """
-            var Global.robot = Object.new|;
-            var robot.speed = 1|;
-            UVar.new(robot, "speed")|;
-            var robot.plain = 1|;
-            var robot.computed = 1|;
-            var robot.log = []|;
-            var Global.started = Event.new|;
-            function Global.breakIn() { var Global.broken = 1 }|;
-            function robot.service() { var Global.broken = 1 }|;
-            var Global.map = closure (var f) { [System].map(f) }|;
-            """));
+    start(
+        Kernel.builder(),
+        """
+        var Global.robot = Object.new|;
+        var robot.speed = 1|;
+        UVar.new(robot, "speed")|;
+        var robot.plain = 1|;
+        var robot.computed = 1|;
+        var robot.log = []|;
+        var Global.started = Event.new|;
+        function Global.breakIn() { var Global.broken = 1 }|;
+        function robot.service() { var Global.broken = 1 }|;
+        var Global.map = closure (var f) { [System].map(f) }|;
+        """);
   }
 
   @AfterEach
   void stop() {
     assertEquals("false", owner.say("Global.hasLocalSlot(\"broken\");"));
-    kernel.close();
-  }
-
-  private static void assertRefused(TestClient visitor, String code, String text) {
-    String answer = visitor.say(code);
-    assertTrue(answer.contains("!!! ") && answer.contains(text), code + " -> " + answer);
   }
 
   /** The ways to get hold of a function without calling it. */

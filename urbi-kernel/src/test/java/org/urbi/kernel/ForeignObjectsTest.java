@@ -11,48 +11,29 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.urbi.kernel.trust.Role;
 
 /** What users and observers do to objects of others: tags, links, mutexes, caches, consoles. */
-class ForeignObjectsTest {
-  private static final String NEEDS_OWNER = "needs the role owner, and this lobby has the role ";
-  private static final String NEEDS_USER = "needs the role user, and this lobby has the role ";
-
-  private Kernel kernel;
-  private TestClient owner;
-  private TestClient user;
-  private TestClient observer;
+class ForeignObjectsTest extends RolesFixture {
 
   @BeforeEach
   void start() {
-    kernel = Kernel.builder().virtualTime(true).log(line -> {}).start();
-    owner = new TestClient(kernel, Role.OWNER);
-    user = new TestClient(kernel, Role.USER);
-    observer = new TestClient(kernel, Role.OBSERVER);
-    assertEquals(
-        "",
-        owner.say(
-            """
-            var Global.robot = Object.new|;
-            var robot.speed = 1|;
-            var robot.text = "1"|;
-            UVar.new(robot, "speed")|;
-            UVar.new(robot, "text")|;
-            var robot.beats = 0|;
-            var robot.tag = Tag.new|;
-            var robot.mutex = Mutex.new|;
-            """));
+    start(
+        Kernel.builder(),
+        """
+        var Global.robot = Object.new|;
+        var robot.speed = 1|;
+        var robot.text = "1"|;
+        UVar.new(robot, "speed")|;
+        UVar.new(robot, "text")|;
+        var robot.beats = 0|;
+        var robot.tag = Tag.new|;
+        var robot.mutex = Mutex.new|;
+        """);
   }
 
   @AfterEach
   void stop() {
     assertEquals("3", owner.say("1 + 2;"));
-    kernel.close();
-  }
-
-  private static void assertRefused(TestClient visitor, String code, String text) {
-    String answer = visitor.say(code);
-    assertTrue(answer.contains("!!! ") && answer.contains(text), code + " -> " + answer);
   }
 
   /** Whether what the owner has begun goes on. */

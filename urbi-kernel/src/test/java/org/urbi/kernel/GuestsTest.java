@@ -3,7 +3,6 @@ package org.urbi.kernel;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,7 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.trust.Role;
 
 /** Users and observers who listen to an owner: it neither waits for them nor ends with them. */
-class GuestsTest {
+class GuestsTest extends RolesFixture {
   private static final String DAY =
       """
       done = 0|;
@@ -30,33 +29,18 @@ class GuestsTest {
       done;
       """;
 
-  private Kernel kernel;
-  private TestClient owner;
-  private TestClient user;
-  private TestClient observer;
-
   @BeforeEach
   void start() {
-    kernel = Kernel.builder().virtualTime(true).log(line -> {}).start();
-    owner = new TestClient(kernel, Role.OWNER);
-    user = new TestClient(kernel, Role.USER);
-    observer = new TestClient(kernel, Role.OBSERVER);
-    assertEquals(
-        "",
-        owner.say(
-            """
-            var done = 0|;
-            var Global.robot = Object.new|;
-            var robot.speed = 1|;
-            var robot.plain = 1|;
-            UVar.new(robot, "speed")|;
-            var Global.started = Event.new|;
-            """));
-  }
-
-  @AfterEach
-  void stop() {
-    kernel.close();
+    start(
+        Kernel.builder(),
+        """
+        var done = 0|;
+        var Global.robot = Object.new|;
+        var robot.speed = 1|;
+        var robot.plain = 1|;
+        UVar.new(robot, "speed")|;
+        var Global.started = Event.new|;
+        """);
   }
 
   @ParameterizedTest

@@ -16,36 +16,25 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.trust.Role;
 
 /** What users and observers try on a bad day, beside an owner who must not notice. */
-class RolesTest {
-  private static final String NEEDS_OWNER = "needs the role owner, and this lobby has the role ";
-
+class RolesTest extends RolesFixture {
   @TempDir Path temporary;
   private Path files;
-  private Kernel kernel;
-  private TestClient owner;
-  private TestClient user;
-  private TestClient observer;
 
   @BeforeEach
   void start() throws IOException {
     files = Files.createDirectory(temporary.toRealPath().resolve("files"));
     Files.writeString(files.resolve("own"), "own");
     Files.writeString(files.resolve("../secret"), "secret");
-    kernel = Kernel.builder().virtualTime(true).userDirectory(files).log(line -> {}).start();
-    owner = new TestClient(kernel, Role.OWNER);
-    user = new TestClient(kernel, Role.USER);
-    observer = new TestClient(kernel, Role.OBSERVER);
-    assertEquals(
-        "",
-        owner.say(
-            """
-            var Global.robot = Object.new|;
-            var robot.speed = 1|;
-            var robot.log = []|;
-            var Global.started = Event.new|;
-            function Global.increase() { robot.speed += 1 }|;
-            var Global.asOwner = closure () { robot.speed = 100 }|;
-            """));
+    start(
+        Kernel.builder().userDirectory(files),
+        """
+        var Global.robot = Object.new|;
+        var robot.speed = 1|;
+        var robot.log = []|;
+        var Global.started = Event.new|;
+        function Global.increase() { robot.speed += 1 }|;
+        var Global.asOwner = closure () { robot.speed = 100 }|;
+        """);
   }
 
   @AfterEach
@@ -53,12 +42,6 @@ class RolesTest {
     // Whatever was tried, the owner can work, and numbers can be added.
     assertEquals("3", owner.say("1 + 2;"));
     assertEquals("secret", Files.readString(files.resolve("../secret")));
-    kernel.close();
-  }
-
-  private static void assertRefused(TestClient visitor, String code, String text) {
-    String answer = visitor.say(code);
-    assertTrue(answer.contains("!!! ") && answer.contains(text), code + " -> " + answer);
   }
 
   @ParameterizedTest
