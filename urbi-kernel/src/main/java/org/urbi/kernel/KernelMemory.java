@@ -12,7 +12,6 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.UsageMeter;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.memory.Evictable;
@@ -83,7 +82,6 @@ final class KernelMemory implements MemoryUser {
 
   @Override
   public void prepare() {
-    KernelThreadPin.prepare();
     // The first stack trace initializes classes of the JDK; where that fails, none is ever told.
     requireNonNull(new Throwable().getStackTrace());
   }

@@ -10,7 +10,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.job.JobThreads;
@@ -41,42 +40,46 @@ class JobLockTest {
     }
   }
 
-  /** Kernels that pass a baton end only when their jobs have got what they wait for in Java. */
-  @Test
-  void whoWaitsBehindAKernelThatHasEndedGetsTheLock() throws InterruptedException {
+  /** It has to get what it waits for, and to give it back to who waits behind it. */
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void aKernelEndsWhenItsJobHasGotTheLock(JobThreads jobThreads) throws InterruptedException {
+    Kernel kernel = Kernel.builder().jobThreads(jobThreads).start();
     Thread behind = Thread.ofPlatform().daemon().unstarted(this::takeLock);
+    Thread closer = Thread.ofPlatform().daemon().unstarted(kernel::close);
     synchronized (lock) {
-      try (Kernel kernel = Kernel.builder().jobThreads(JobThreads.TICK_LOOP).start()) {
-        start(kernel, this::takeLock);
-        awaitBlocked(() -> waiting);
-        behind.start();
-        awaitBlocked(() -> behind);
-      }
+      start(kernel, this::takeLock);
+      awaitBlocked(() -> waiting);
+      behind.start();
+      awaitBlocked(() -> behind);
+      closer.start();
     }
+    closer.join();
     behind.join();
   }
 
   /** Somebody else's lock is nothing simulated: an hour must not pass while a job waits for it. */
-  @Test
-  void simulatedTimeDoesNotRunAwayFromWhoWaitsInsideJava() throws InterruptedException {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void simulatedTimeDoesNotRunAwayFromWhoWaitsInsideJava(JobThreads jobThreads)
+      throws InterruptedException {
     List<String> order = new CopyOnWriteArrayList<>();
     CountDownLatch hourOver = new CountDownLatch(1);
-    try (Kernel kernel =
-        Kernel.builder().jobThreads(JobThreads.TICK_LOOP).virtualTime(true).start()) {
+    try (Kernel kernel = Kernel.builder().jobThreads(jobThreads).virtualTime(true).start()) {
       synchronized (lock) {
+        Runnable hour =
+            () -> {
+              order.add("hour");
+              hourOver.countDown();
+            };
         start(
             kernel,
             () -> {
+              startHour(kernel, hour);
               takeLock();
               order.add("lock");
             });
         awaitBlocked(() -> waiting);
-        startHour(
-            kernel,
-            () -> {
-              order.add("hour");
-              hourOver.countDown();
-            });
         assertFalse(hourOver.await(200, TimeUnit.MILLISECONDS), "the hour is over");
       }
       hourOver.await();
@@ -84,19 +87,17 @@ class JobLockTest {
     assertEquals(List.of("lock", "hour"), order);
   }
 
+  /** On the kernel thread. */
   private static void startHour(Kernel kernel, Runnable whenOver) {
     var scheduler = kernel.scheduler();
-    KernelThread.run(
-        kernel,
-        () ->
-            scheduler.startDetached(
-                null,
-                scheduler.rootScope(),
-                "asleep",
-                job -> {
-                  job.sleepUntil(scheduler.now() + TimeUnit.HOURS.toNanos(1));
-                  whenOver.run();
-                }));
+    scheduler.startDetached(
+        null,
+        scheduler.rootScope(),
+        "asleep",
+        job -> {
+          job.sleepUntil(scheduler.now() + TimeUnit.HOURS.toNanos(1));
+          whenOver.run();
+        });
   }
 
   private void takeLock() {

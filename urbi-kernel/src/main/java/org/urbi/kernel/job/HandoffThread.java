@@ -4,7 +4,6 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.message.Message;
 
 /**
  * Runs a job on a virtual thread of the JDK's own scheduler: the tick loop and the job hand the
@@ -111,11 +110,7 @@ final class HandoffThread implements JobThread {
       return thread;
     }
 
-    /** Never called: while a job waits in Java, the loop waits as well. */
-    @Override
-    public void take(Message message) {}
-
-    /** No job can be waiting inside Java: the loop would still be waiting for it. */
+    /** No job keeps a thread that the loop needs. */
     @Override
     public void loopEnded() {}
 

@@ -1,10 +1,8 @@
 package org.urbi.kernel.job;
 
-import org.urbi.kernel.message.Message;
-
 /**
  * Carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link #suspend};
- * exactly one of the two sides runs at a time.
+ * exactly one of the two sides runs at a time, also while the job waits inside Java.
  */
 interface JobThread {
   /** Runs the job until it suspends or ends. */
@@ -32,9 +30,6 @@ interface JobThread {
 
     /** Starts the thread on which the tick loop runs. */
     Thread startLoop(Runnable loop);
-
-    /** A job can continue that waited inside Java code; called on the thread of the tick loop. */
-    void take(Message message);
 
     /** The tick loop has resumed a job for the last time; called on its thread. */
     void loopEnded();

@@ -14,13 +14,11 @@ public enum JobThreads {
   /** Jobs run on the scheduler of the JDK, and hand control to each other. */
   BATON;
 
-  JobThread.Factory factory(Inbox inbox) {
+  JobThread.Factory factory() {
     return switch (this) {
       case AUTO ->
-          TickLoopThread.isAvailable()
-              ? new TickLoopThread.Factory(inbox)
-              : new HandoffThread.Factory();
-      case TICK_LOOP -> new TickLoopThread.Factory(inbox);
+          TickLoopThread.isAvailable() ? new TickLoopThread.Factory() : new HandoffThread.Factory();
+      case TICK_LOOP -> new TickLoopThread.Factory();
       case BATON -> new HandoffThread.Factory();
     };
   }

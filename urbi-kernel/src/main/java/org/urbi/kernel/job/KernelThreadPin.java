@@ -7,11 +7,11 @@ import java.lang.reflect.Method;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps a job on the kernel thread while it executes the code of a component. If that code waits,
- * the kernel waits with it, because such calls block everything (manual, "Asynchronous binding").
- * Without the pin, the virtual thread of the job would be unmounted and other jobs would run.
+ * Keeps a job on the kernel thread, except where it lets others run. If its code waits in Java, the
+ * kernel waits with it, as the manual has it for components ("Asynchronous binding"). Without the
+ * pin, the virtual thread of the job would be unmounted and other jobs would run.
  */
-public final class KernelThreadPin {
+final class KernelThreadPin {
   private static final @Nullable MethodHandle PIN = find("pin");
   private static final @Nullable MethodHandle UNPIN = find("unpin");
 
@@ -37,19 +37,13 @@ public final class KernelThreadPin {
     }
   }
 
-  /** Links what pins: when memory is exhausted, it could not be linked any more. */
-  public static void prepare() {
-    pin();
-    unpin();
-  }
-
   /** Whether a job can be pinned. */
   static boolean isAvailable() {
     return PIN != null && UNPIN != null;
   }
 
   /** Pins the running job to the kernel thread. */
-  public static void pin() {
+  static void pin() {
     if (PIN != null) {
       try {
         PIN.invokeExact();
@@ -62,7 +56,7 @@ public final class KernelThreadPin {
   }
 
   /** Ends what {@link #pin} began. */
-  public static void unpin() {
+  static void unpin() {
     if (UNPIN != null) {
       try {
         UNPIN.invokeExact();

@@ -48,12 +48,7 @@ public final class MemoryWait {
 
   private static void await(Runnable what) {
     try {
-      KernelThreadPin.pin();
-      try {
-        what.run();
-      } finally {
-        KernelThreadPin.unpin();
-      }
+      what.run();
     } catch (OutOfMemoryError e) {
       // There is no memory for waiting, either: whoever has caught the first error goes on.
       return;

@@ -14,7 +14,6 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.log.FailureLog;
-import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
@@ -98,14 +97,13 @@ public final class Scheduler {
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
     this.time = new TickTime(clock, journal, timers, yields, pace);
-    this.threads = threads.factory(inbox);
+    this.threads = threads.factory();
     this.meter = new UsageMeter(machine, this.threads::allocatedBytes);
     this.memory = new MemoryWait(this.threads::allocatedBytes);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
     this.started = new StartedJobs(runnable);
     this.rounds = new Rounds(this, runnable, started);
     this.uncaught = uncaught;
-    inbox.register(Message.JOBS, this.threads::take);
   }
 
   // ------------------------------------------------------------------ what it has

@@ -7,24 +7,22 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
-import org.urbi.kernel.message.Message;
 
 /**
  * A job on a virtual thread whose scheduler is the tick loop. The thread hands its continuation to
  * this object, as its executor; the loop runs that continuation on its own platform thread when the
  * turn of the job has come.
+ *
+ * <p>It leaves that thread only in {@link #suspend}. If it waits in Java, for a lock or for a class
+ * that is being loaded, the loop waits with it: otherwise the lock would be kept for a job that
+ * runs again only when the loop, which may be the next to want it, has gone on.
  */
-final class TickLoopThread implements JobThread, Executor {
+final class TickLoopThread implements JobThread, Executor, Runnable {
   private static final @Nullable MethodHandle NEW_BUILDER = findBuilder();
 
   /** What executes the virtual threads of the program. */
@@ -44,9 +42,6 @@ final class TickLoopThread implements JobThread, Executor {
   private boolean started;
   private boolean resumed;
 
-  /** Whether the loop is about to get the continuation because it asked for it. */
-  private boolean handing;
-
   /** The thread that runs the continuation, or has run it last. */
   private @Nullable Thread carrier;
 
@@ -62,7 +57,17 @@ final class TickLoopThread implements JobThread, Executor {
   private TickLoopThread(Factory factory, Job job) {
     this.factory = factory;
     this.job = job;
-    thread = newVirtual(this, job);
+    thread = newVirtual(this, this);
+  }
+
+  @Override
+  public void run() {
+    KernelThreadPin.pin();
+    try {
+      job.run();
+    } finally {
+      KernelThreadPin.unpin();
+    }
   }
 
   private static Thread newVirtual(Executor scheduler, Runnable body) {
@@ -106,7 +111,7 @@ final class TickLoopThread implements JobThread, Executor {
   }
 
   static boolean isAvailable() {
-    return NEW_BUILDER != null && OTHERS != null;
+    return NEW_BUILDER != null && OTHERS != null && KernelThreadPin.isAvailable();
   }
 
   @Override
@@ -114,27 +119,14 @@ final class TickLoopThread implements JobThread, Executor {
     if (own == null) {
       own = task;
     }
-    if (task != own) {
+    if (task == own) {
+      continuation = task;
+    } else {
       // A virtual thread started by code that a job has called: it is not a job, but has inherited
       // this scheduler. The common pool is no place for it. That has one thread on two processors,
       // which a task there blocks that waits for a lock; if this thread has the lock, for ever.
       requireNonNull(OTHERS, "the factory has looked").execute(task);
-    } else if (handing && Thread.currentThread() == carrier) {
-      handing = false;
-      continuation = task;
-    } else {
-      // A wait for a lock, a timed park, a future or I/O inside a library call has ended: post that
-      // to the inbox. The call comes from another thread, or from the loop's own if the wait ended
-      // at once.
-      factory.wake(this);
     }
-  }
-
-  /** Its wait in Java is over: it continues when its turn comes. */
-  private void awaken() {
-    continuation = own;
-    job.scheduler().pace().end();
-    job.scheduler().enqueue(job);
   }
 
   @Override
@@ -144,10 +136,6 @@ final class TickLoopThread implements JobThread, Executor {
     } else {
       runHere();
     }
-    if (!keeping && continuation == null && job.state() != JobState.ENDED) {
-      // It waits in Java. That takes real time, which simulated time must not outrun.
-      job.scheduler().pace().begin();
-    }
   }
 
   private void runHere() {
@@ -155,7 +143,6 @@ final class TickLoopThread implements JobThread, Executor {
     resumed = true;
     if (!started) {
       started = true;
-      handing = true;
       thread.start();
     }
     Runnable next = requireNonNull(continuation, "it can run");
@@ -189,18 +176,18 @@ final class TickLoopThread implements JobThread, Executor {
     }
     long begun = keeping ? job.scheduler().machine().now() : 0;
     resumed = false;
-    handing = true;
+    KernelThreadPin.unpin();
     try {
       // Hands the continuation to execute(), and returns when the loop has run it again.
       Thread.yield();
     } catch (StackOverflowError e) {
-      handing = false;
+      KernelThreadPin.pin();
       refused(begun, e);
       return;
     }
+    KernelThreadPin.pin();
     job.forgetCalls();
     if (!resumed) {
-      handing = false;
       throw new IllegalStateException("a job cannot wait inside a native call");
     }
   }
@@ -219,9 +206,7 @@ final class TickLoopThread implements JobThread, Executor {
       stay();
       return;
     }
-    if (job.scheduler().isStopped()
-        || !KernelThreadPin.isAvailable()
-        || !factory.hasThreadToKeepFor(job.account())) {
+    if (job.scheduler().isStopped() || !factory.hasThreadToKeepFor(job.account())) {
       throw refusal;
     }
     nextTry = now;
@@ -249,15 +234,10 @@ final class TickLoopThread implements JobThread, Executor {
   /** Others have the turn, so nothing may be touched that they touch. */
   private void awaitTurn() {
     boolean interrupted = false;
-    KernelThreadPin.pin();
-    try {
-      while (!lent) {
-        LockSupport.park(this);
-        // Parking would not wait any more.
-        interrupted |= Thread.interrupted();
-      }
-    } finally {
-      KernelThreadPin.unpin();
+    while (!lent) {
+      LockSupport.park(this);
+      // Parking would not wait any more.
+      interrupted |= Thread.interrupted();
     }
     if (interrupted) {
       thread.interrupt();
@@ -289,31 +269,18 @@ final class TickLoopThread implements JobThread, Executor {
 
     private static final int MAXIMUM_DEPTH = 200_000;
 
-    private static final long PARK_NANOSECONDS = 100_000;
-
-    private static final long SECONDS_BEFORE_LATE_THREAD_ENDS = 1;
-
-    private final Inbox inbox;
-
-    /** The threads whose wait in Java is over, by the numbers of their jobs. */
-    private final Map<Long, TickLoopThread> awakened = new ConcurrentHashMap<>();
-
     private final LoopThreads threads = new LoopThreads(body -> newThread(body, "urbi-kernel"));
 
     /** Those that have kept their threads; for whoever has the turn. */
     private final Set<TickLoopThread> keepers = new HashSet<>();
 
     private volatile boolean ended;
-    private @Nullable Executor late;
-    private final Runnable runningLate = this::runLate;
 
-    Factory(Inbox inbox) {
+    Factory() {
       if (!isAvailable()) {
         throw new IllegalStateException(
             "java.lang is closed: run java with --add-opens java.base/java.lang=ALL-UNNAMED");
       }
-      this.inbox = inbox;
-      loadWhatWakes();
     }
 
     /**
@@ -324,18 +291,6 @@ final class TickLoopThread implements JobThread, Executor {
      */
     private static void loadWhatEnds() {
       newVirtual(Runnable::run, () -> {}).start();
-    }
-
-    /**
-     * Loads what {@link #wake} uses. The JDK calls it on its only thread for those that have waited
-     * for a lock. Loading a class waits for locks, too: behind a job that is to be woken, for ever.
-     */
-    private static void loadWhatWakes() {
-      try {
-        MethodHandles.lookup().ensureInitialized(Message.Resumed.class);
-      } catch (IllegalAccessException e) {
-        throw new IllegalStateException(e);
-      }
     }
 
     /**
@@ -361,60 +316,13 @@ final class TickLoopThread implements JobThread, Executor {
       });
     }
 
-    /** To be called from any thread; must neither wait for a lock nor load a class. */
-    private void wake(TickLoopThread waiting) {
-      awakened.put(waiting.job.number(), waiting);
-      if (ended) {
-        lateThread().execute(runningLate);
-      } else {
-        inbox.post(new Message.Resumed(waiting.job.number()));
-      }
-    }
-
-    @Override
-    public void take(Message message) {
-      long job = ((Message.Resumed) message).job();
-      TickLoopThread waiting;
-      // In a replay the thread may arrive later than in the recorded run.
-      while ((waiting = awakened.remove(job)) == null) {
-        LockSupport.parkNanos(this, PARK_NANOSECONDS);
-      }
-      waiting.awaken();
-    }
-
-    /**
-     * Jobs that wait for a Java lock must still get and release it, otherwise the next ones in line
-     * would wait for ever. They unwind as soon as they are back in urbiscript code.
-     */
+    /** Jobs that have kept their threads still have to be left. */
     @Override
     public void loopEnded() {
-      var executor =
-          new ThreadPoolExecutor(
-              1,
-              1,
-              SECONDS_BEFORE_LATE_THREAD_ENDS,
-              TimeUnit.SECONDS,
-              new LinkedBlockingQueue<>(),
-              body -> newThread(body, "urbi-kernel-late"));
-      executor.allowCoreThreadTimeOut(true);
-      late = executor;
       ended = true;
-      if (!awakened.isEmpty()) {
-        executor.execute(runningLate);
-      }
-      List.copyOf(keepers).forEach(keeper -> executor.execute(keeper::lendTurn));
-    }
-
-    private Executor lateThread() {
-      return requireNonNull(late, "made before the end is told");
-    }
-
-    private void runLate() {
-      for (Long job : awakened.keySet()) {
-        TickLoopThread waiting = awakened.remove(job);
-        if (waiting != null && waiting.own != null) {
-          waiting.own.run();
-        }
+      if (!keepers.isEmpty()) {
+        List<TickLoopThread> last = List.copyOf(keepers);
+        newThread(() -> last.forEach(TickLoopThread::lendTurn), "urbi-kernel-late").start();
       }
     }
 

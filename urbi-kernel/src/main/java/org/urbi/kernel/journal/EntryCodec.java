@@ -33,7 +33,6 @@ public final class EntryCodec {
     add(16, Entry.SwitchRefused.class);
     add(17, Entry.SwitchTriedAgain.class);
     add(20, Message.Shutdown.class);
-    add(21, Message.Resumed.class);
     add(23, Message.ConsoleBytes.class);
     add(24, Message.InputEnded.class);
     add(25, Message.Interrupted.class);

@@ -23,9 +23,6 @@ public sealed interface Message {
   /** The receiver of requests of UObjects in the kernel's process. */
   int COMPONENTS = 2;
 
-  /** The receiver of messages to jobs. */
-  int JOBS = 3;
-
   /** The first number for receivers that are registered at run time. */
   int FIRST_FREE = 16;
 
@@ -45,14 +42,6 @@ public sealed interface Message {
     @Override
     public int to() {
       return KERNEL;
-    }
-  }
-
-  /** A job that waited inside Java code can go on. */
-  record Resumed(long job) implements Message {
-    @Override
-    public int to() {
-      return JOBS;
     }
   }
 

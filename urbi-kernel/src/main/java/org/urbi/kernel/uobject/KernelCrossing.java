@@ -9,7 +9,6 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
@@ -72,7 +71,6 @@ final class KernelCrossing {
     if (outer == null) {
       callState.self = self;
       UContext.enter(context);
-      KernelThreadPin.pin();
       caller.job().componentCode().enter(function);
     }
     return outer;
@@ -84,7 +82,6 @@ final class KernelCrossing {
     callState.caller = outer;
     if (outer == null) {
       callState.self = null;
-      KernelThreadPin.unpin();
     }
     ControlFlowException unwinding = callState.unwinding;
     callState.unwinding = null;
@@ -153,7 +150,6 @@ final class KernelCrossing {
     }
     UrbiObject self = callState.self;
     callState.caller = null;
-    KernelThreadPin.unpin();
     String function = job.componentCode().enter(null);
     try {
       return translated(caller, task);
@@ -162,7 +158,6 @@ final class KernelCrossing {
       throw e;
     } finally {
       job.componentCode().enter(function);
-      KernelThreadPin.pin();
       callState.caller = caller;
       callState.self = self;
     }

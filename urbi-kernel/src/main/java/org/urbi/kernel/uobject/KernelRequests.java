@@ -14,7 +14,6 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.ComponentCode;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Inbox;
-import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.log.Defects;
 import org.urbi.kernel.message.Message;
@@ -212,12 +211,10 @@ final class KernelRequests {
   /** The wait is that of a component: whoever waits for too long is named and ended. */
   private @Nullable Message next(Frame frame, int lock) {
     ComponentCode waiting = frame.job().componentCode();
-    KernelThreadPin.pin();
     String outer = waiting.enter("lock");
     try {
       return inbox.awaitAtOnce(lock);
     } finally {
-      KernelThreadPin.unpin();
       waiting.leave(outer);
     }
   }

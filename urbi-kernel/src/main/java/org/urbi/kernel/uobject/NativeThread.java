@@ -11,7 +11,6 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.log.FailureLog;
 import urbi.UContext;
@@ -248,10 +247,9 @@ final class NativeThread {
     }
   }
 
-  /** Takes the next one; a job stays on the kernel thread meanwhile. */
+  /** Takes the next one. */
   private static <T> T uninterruptibly(BlockingQueue<T> from) {
     boolean interrupted = false;
-    KernelThreadPin.pin();
     try {
       while (true) {
         try {
@@ -261,7 +259,6 @@ final class NativeThread {
         }
       }
     } finally {
-      KernelThreadPin.unpin();
       if (interrupted) {
         Thread.currentThread().interrupt();
       }

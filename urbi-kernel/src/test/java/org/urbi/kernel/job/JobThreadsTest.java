@@ -2,7 +2,6 @@ package org.urbi.kernel.job;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -10,37 +9,21 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The two ways to run jobs do the same; only one of them lets others run while Java waits. */
+/** The two ways to run jobs do the same. */
 class JobThreadsTest {
   private static final long SECOND = Loop.SECOND;
 
-  private volatile boolean released;
-  private volatile Thread waiting;
-
-  /** Waits in Java until somebody calls {@link #release}. */
-  private void await() {
-    waiting = Thread.currentThread();
-    while (!released) {
-      LockSupport.park(this);
-    }
-  }
-
-  private void release() {
-    released = true;
-    LockSupport.unpark(waiting);
-  }
-
   @Test
   void theFasterWayIsTheUsualOneWhereItIsOpen() {
-    Inbox inbox = new Loop().scheduler.inbox();
     assertTrue(TickLoopThread.isAvailable());
-    assertTrue(JobThreads.AUTO.factory(inbox) instanceof TickLoopThread.Factory);
-    assertTrue(JobThreads.TICK_LOOP.factory(inbox) instanceof TickLoopThread.Factory);
-    assertTrue(JobThreads.BATON.factory(inbox) instanceof HandoffThread.Factory);
+    assertTrue(JobThreads.AUTO.factory() instanceof TickLoopThread.Factory);
+    assertTrue(JobThreads.TICK_LOOP.factory() instanceof TickLoopThread.Factory);
+    assertTrue(JobThreads.BATON.factory() instanceof HandoffThread.Factory);
     assertEquals(200_000, new Loop(JobThreads.TICK_LOOP).scheduler.maximumDepth());
     assertEquals(1_000, new Loop(JobThreads.BATON).scheduler.maximumDepth());
   }
@@ -164,21 +147,47 @@ class JobThreadsTest {
     }
   }
 
-  @Test
-  void whileAJobWaitsInJavaTheOthersGoOn() {
-    Loop loop = new Loop(JobThreads.TICK_LOOP);
+  /** Nobody else may have the kernel meanwhile. */
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void whoWaitsInJavaKeepsTheKernel(JobThreads threads) {
+    Loop loop = new Loop(threads);
     loop.start(job -> {
-      await();
-      loop.say("released");
-      assertFalse(loop.scheduler.pace().isReal());
+      LockSupport.parkNanos(1);
+      loop.say("waited");
+      job.sleepUntil(SECOND);
+      loop.say("slept");
+    });
+    loop.start(job -> loop.say("other"));
+    assertEquals(List.of("waited", "other", "slept"), loop.run());
+  }
+
+  /** If the loop went on, and wanted the lock as well, it would wait for the job for ever. */
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void whoWaitsForALockKeepsTheKernel(JobThreads threads) throws InterruptedException {
+    Loop loop = new Loop(threads);
+    ReentrantLock lock = new ReentrantLock();
+    CountDownLatch locked = new CountDownLatch(1);
+    Thread holder =
+        Thread.startVirtualThread(() -> {
+          lock.lock();
+          locked.countDown();
+          while (!lock.hasQueuedThreads()) {
+            Thread.onSpinWait();
+          }
+          lock.unlock();
+        });
+    locked.await();
+    loop.start(job -> {
+      lock.lock();
+      loop.say("locked");
+      lock.unlock();
       job.yieldNow();
     });
-    loop.start(job -> {
-      loop.say("other");
-      assertTrue(loop.scheduler.pace().isReal());
-      release();
-    });
-    assertEquals(List.of("other", "released"), loop.run());
+    loop.start(job -> loop.say("other"));
+    assertEquals(List.of("locked", "other"), loop.run());
+    holder.join();
   }
 
   @Test
@@ -209,67 +218,6 @@ class JobThreadsTest {
         });
     starter.join();
     assertEquals(List.of("ran"), made[0].said);
-  }
-
-  /** Nobody else may have the kernel meanwhile. */
-  @Test
-  void whoIsPinnedKeepsTheKernelWhileItWaits() {
-    Loop loop = new Loop(JobThreads.TICK_LOOP);
-    loop.start(job -> {
-      KernelThreadPin.pin();
-      LockSupport.parkNanos(1);
-      loop.say("pinned");
-      assertThrows(IllegalStateException.class, job::yieldNow);
-      KernelThreadPin.unpin();
-      job.sleepUntil(SECOND);
-      loop.say("slept");
-    });
-    loop.start(job -> loop.say("other"));
-    assertEquals(List.of("pinned", "other", "slept"), loop.run());
-  }
-
-  /** It must get what it waits for, and give it back; then it is left. */
-  @Test
-  void whoWaitsInJavaWhenTheLoopEndsGoesOnAndIsLeft() throws InterruptedException {
-    Loop loop = new Loop(JobThreads.TICK_LOOP);
-    CountDownLatch left = waiterWithoutEnd(loop);
-    loop.start(job -> loop.scheduler.stop());
-    loop.run();
-    release();
-    left.await();
-    assertEquals(List.of("released"), loop.said);
-  }
-
-  /** The news that the wait is over has come, but the loop ends before it takes them. */
-  @Test
-  void whoIsReleasedAsTheLoopEndsGoesOnAndIsLeft() throws InterruptedException {
-    Loop loop = new Loop(JobThreads.TICK_LOOP);
-    CountDownLatch left = waiterWithoutEnd(loop);
-    loop.start(job -> {
-      release();
-      loop.scheduler.stop();
-    });
-    loop.scheduler.startLoop(failure -> {}).join();
-    left.await();
-    assertEquals(List.of("released"), loop.said);
-    assertEquals(List.of(), loop.uncaught);
-  }
-
-  private CountDownLatch waiterWithoutEnd(Loop loop) {
-    CountDownLatch left = new CountDownLatch(1);
-    loop.start(job -> {
-      await();
-      loop.say("released");
-      try {
-        job.yieldNow();
-        loop.say("never");
-      } catch (TagStop stop) {
-        assertNull(stop.scope());
-        left.countDown();
-        throw stop;
-      }
-    });
-    return left;
   }
 
   @Test
