@@ -162,6 +162,28 @@ class BorrowedRightsTest extends RolesFixture {
   }
 
   @Test
+  void lazyFunctionsOfAnObserverHaveNoRightsOfAUser() {
+    observer.say("var lobby.trap = function { robot.plain = 99 }|;");
+    observer.say("var lobby.snare = lobby.&trap|;");
+    for (String trap : new String[] {"l.trap(1)", "l.snare(1)", "l.&trap.apply([l])"}) {
+      assertRefused(
+          user,
+          "for (var l : Lobby.instances) if (l.hasLocalSlot(\"trap\")) " + trap + ";",
+          "this lobby has the role observer");
+    }
+    assertEquals("1", owner.say("robot.plain;"));
+  }
+
+  /** What stands in the call is evaluated by who has written the function, if that may do less. */
+  @Test
+  void lazyFunctionsOfAnOwnerEvaluateArgumentsWithTheRightsOfTheCaller() {
+    owner.say("var Global.echoing = function { call.evalArgs[0] }|;");
+    assertRefused(user, "echoing(shutdown);", NEEDS_OWNER + "user");
+    assertEquals("3", observer.say("echoing(1 + 2);"));
+    assertEquals("3", user.say("echoing(1 + 2);"));
+  }
+
+  @Test
   void theLibrarysOwnCodeIsNotThatOfItsFirstCaller() {
     assertEquals("[\"a\", \"b\"]", observer.say("\"ab\".asList;"));
     owner.say("var s = \"ab\"|; function s.split(var by) { getenv(\"HOME\") | 1 }|;");

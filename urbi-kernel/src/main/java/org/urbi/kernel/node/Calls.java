@@ -15,7 +15,7 @@ final class Calls {
         frame.exposeLocals();
       }
       if (formals == null) {
-        return function.run(frame, site, self, function.layout().newLocals());
+        return function.runLazily(frame, site, self);
       }
       if (formals.isSimple(arguments.length)) {
         return function.run(

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -256,23 +257,19 @@ public final class Function extends Code {
 
   @Override
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
-    UrbiObject[] locals =
-        body.formals == null
-            ? body.layout.newLocals()
-            : body.formals.bind(caller, site, this, arguments);
-    return run(caller, site, self, locals);
+    return body.formals == null
+        ? runLazily(caller, site, self)
+        : run(caller, site, self, body.formals.bind(caller, site, this, arguments));
   }
 
-  /** Runs with prepared variables: the parameters first, then room for the others. */
+  /**
+   * Runs with prepared variables: the parameters first, then room for the others. Not for a lazy
+   * function. This is in each call: what makes its frame on the stack larger makes recursion less
+   * deep.
+   */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
-    if (boundLobby != null && boundLobby != caller.job.lobby() && changesLobby(caller)) {
-      UrbiObject lobby = caller.job.lobby();
-      caller.job.identity().become(boundLobby);
-      try {
-        return runProfiled(caller, site, self, locals);
-      } finally {
-        caller.job.identity().become(lobby);
-      }
+    if (boundLobby != null && boundLobby != caller.job.lobby()) {
+      return runFor(boundLobby, caller, site, self, locals);
     }
     return caller.interpreter.profiling
         ? runProfiled(caller, site, self, locals)
@@ -280,12 +277,29 @@ public final class Function extends Code {
   }
 
   /**
-   * Whether the call changes the lobby of the job. Lazy arguments of the caller must not run with
-   * the permissions of a more privileged lobby. This is in each call: what makes its frame on the
-   * stack larger makes recursion less deep.
+   * Runs a lazy function. The arguments of the caller, which it evaluates, must not run with the
+   * permissions of a more privileged lobby: only one that may do less gives the job its own.
    */
-  private boolean changesLobby(Frame caller) {
-    return caller.job.isOwner() || !isLazy();
+  UrbiObject runLazily(Frame caller, CallSite site, UrbiObject self) {
+    UrbiObject[] locals = body.layout.newLocals();
+    return boundLobby != null && mayBecome(caller.job, boundLobby)
+        ? runFor(boundLobby, caller, site, self, locals)
+        : runProfiled(caller, site, self, locals);
+  }
+
+  private static boolean mayBecome(Job job, UrbiObject lobby) {
+    return job.lobby() != lobby && (job.isOwner() || job.identity().isAbove(lobby));
+  }
+
+  private UrbiObject runFor(
+      UrbiObject lobby, Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
+    UrbiObject own = caller.job.lobby();
+    caller.job.identity().become(lobby);
+    try {
+      return runProfiled(caller, site, self, locals);
+    } finally {
+      caller.job.identity().become(own);
+    }
   }
 
   private UrbiObject runProfiled(
