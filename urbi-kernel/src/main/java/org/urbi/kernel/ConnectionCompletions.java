@@ -12,6 +12,9 @@ import org.urbi.kernel.message.Message;
 
 /** What a client asks of names that it has begun to type. */
 final class ConnectionCompletions {
+  /** How many questions may wait: people ask one after the other. */
+  private static final int MOST_WAITING = 16;
+
   private final Kernel kernel;
   private final int number;
   private final AtomicInteger questions = new AtomicInteger();
@@ -25,14 +28,17 @@ final class ConnectionCompletions {
     this.number = number;
   }
 
-  /** Asks, from any thread; of a connection that is gone there are no names. */
+  /**
+   * Asks, from any thread; of a connection that is gone there are no names, nor for who asks faster
+   * than the kernel answers.
+   */
   CompletableFuture<List<String>> ask(String text, boolean gone) {
     CompletableFuture<List<String>> names = new CompletableFuture<>();
-    int question = questions.incrementAndGet();
-    waiting.put(question, names);
-    if (gone) {
+    if (gone || waiting.size() >= MOST_WAITING) {
       names.complete(List.of());
     } else {
+      int question = questions.incrementAndGet();
+      waiting.put(question, names);
       kernel.inbox().post(new Message.CompletionRequested(number, question, text));
     }
     return names;

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -160,5 +162,40 @@ class CompletionTest {
     Connection closed = connect(output -> {});
     closed.close();
     assertEquals(List.of(), closed.complete("ro").join());
+  }
+
+  /** It would take long to parse it, and somebody could ask again and again. */
+  @Test
+  void whatNobodyTypesIsNotParsed() {
+    assertEquals(
+        List.of("heading"), complete("(".repeat(400) + "robot" + ")".repeat(400) + ".headi"));
+    assertEquals(List.of(), complete("(".repeat(600) + "robot" + ")".repeat(600) + ".headi"));
+  }
+
+  /** While the kernel is held, somebody asks and asks. */
+  @Test
+  void questionsThatOutrunTheAnswersAreAnsweredAtOnce() throws InterruptedException {
+    CountDownLatch held = new CountDownLatch(1);
+    CountDownLatch release = new CountDownLatch(1);
+    kernel.define(
+        "holdUp",
+        nothing -> {
+          held.countDown();
+          while (release.getCount() > 0) {
+            Thread.onSpinWait();
+          }
+          return null;
+        });
+    connection.send("holdUp;\n");
+    held.await();
+    List<CompletableFuture<List<String>>> asked =
+        IntStream.range(0, 100).mapToObj(i -> connection.complete("robot.headi")).toList();
+    try {
+      assertEquals(84, asked.stream().filter(CompletableFuture::isDone).count());
+    } finally {
+      release.countDown();
+    }
+    assertEquals(List.of("heading"), asked.getFirst().join());
+    assertEquals(List.of("heading"), complete("robot.headi"));
   }
 }

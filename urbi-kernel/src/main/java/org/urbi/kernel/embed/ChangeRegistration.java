@@ -27,7 +27,7 @@ final class ChangeRegistration {
   /** Begins to watch; in a job. */
   ListenerRegistration run(Frame frame) {
     Interpreter interpreter = frame.interpreter();
-    ParseResult parsed = UrbiParser.parse(expression, null);
+    ParseResult parsed = UrbiParser.parse(expression, null, frame.job()::checkInterrupted);
     if (!parsed.errors().isEmpty()) {
       throw interpreter.errors().syntax(parsed.errors().getFirst(), expression);
     }

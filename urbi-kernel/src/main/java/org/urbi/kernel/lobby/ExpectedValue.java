@@ -23,6 +23,12 @@ final class ExpectedValue {
   /** How many local variables may be declared with one another. */
   private static final int DEEPEST = 16;
 
+  /**
+   * A longer expression was not typed, in characters: what is nested deeper takes so long to parse
+   * that those who ask again and again would hold the kernel.
+   */
+  private static final int LONGEST = 1 << 10;
+
   private final UrbiObject lobby;
   private final Values values;
   private final TypedText typed;
@@ -36,7 +42,7 @@ final class ExpectedValue {
 
   /** What has the slots of the value of an expression; null when nobody can tell. */
   @Nullable UrbiObject of(String expression) {
-    if (expression.isEmpty() || depth == DEEPEST) {
+    if (expression.isEmpty() || expression.length() > LONGEST || depth == DEEPEST) {
       return null;
     }
     ParseResult parsed = UrbiParser.parse(expression, null);
