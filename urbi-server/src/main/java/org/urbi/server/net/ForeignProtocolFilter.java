@@ -33,9 +33,18 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
    */
   private static final int MAX_DOUBT = 1 << 16;
 
+  /** No method of HTTP is longer, with the space behind it. */
+  private static final int LONGEST_METHOD = "OPTIONS ".length();
+
   private final Trace trace;
   private final ByteBuf first = Unpooled.buffer(256);
   private boolean refused;
+
+  /**
+   * Whether all that has come is the beginning of a request, up to somewhere in its target: until
+   * that has ended, nothing else decides.
+   */
+  private boolean inTarget;
 
   ForeignProtocolFilter(Trace trace) {
     this.trace = trace;
@@ -48,8 +57,18 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
       in.release();
       return;
     }
+    boolean decidesNothing =
+        inTarget
+            && in.forEachByte(each -> each != ' ' && each != '\r' && each != '\n') < 0
+            && first.readableBytes() + in.readableBytes() < MAX_DOUBT;
     first.writeBytes(in);
     in.release();
+    if (!decidesNothing) {
+      examine(context);
+    }
+  }
+
+  private void examine(ChannelHandlerContext context) {
     String text =
         first.toString(0, Math.min(first.readableBytes(), MAX_DOUBT), StandardCharsets.ISO_8859_1);
     Matcher http = HTTP.matcher(text);
@@ -62,6 +81,9 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
       passOn(context);
     } else if (text.length() == MAX_DOUBT) {
       refuse(context, "HTTP");
+    } else {
+      int method = text.indexOf(' ');
+      inTarget = text.length() > LONGEST_METHOD && text.indexOf(' ', method + 1) < 0;
     }
   }
 

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.embedded.EmbeddedChannel;
 import io.netty.channel.socket.ChannelInputShutdownEvent;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -98,6 +100,50 @@ class ForeignProtocolFilterTest {
     assertEquals("", received(channel));
     channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);
     assertEquals("POST /", received(channel));
+    channel.finishAndReleaseAll();
+  }
+
+  /** Whoever sends one byte after the other must not have all of them looked at each time. */
+  @Test
+  void longRequestLineIsLookedAtOnce() {
+    var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    EmbeddedChannel channel = channel();
+    channel.writeInbound(bytes("GET /"));
+    long before = threads.getCurrentThreadAllocatedBytes();
+    for (int i = 0; i < 60_000; i++) {
+      channel.writeInbound(bytes("x"));
+    }
+    long perByte = (threads.getCurrentThreadAllocatedBytes() - before) / 60_000;
+    assertTrue(perByte < 5_000, perByte + " bytes allocated for each");
+    assertTrue(channel.isOpen());
+    channel.writeInbound(bytes(" HTTP/"));
+    assertFalse(channel.isOpen());
+    assertEquals("", received(channel));
+    channel.finishAndReleaseAll();
+  }
+
+  @Test
+  void requestIsRecognizedWhereverItIsCutInSingleBytes() {
+    for (String request : new String[] {"OPTIONS /abcdefgh HTTP/", "GET /a HTTP/"}) {
+      EmbeddedChannel channel = channel();
+      for (char each : request.toCharArray()) {
+        assertTrue(channel.isOpen(), request);
+        channel.writeInbound(bytes(String.valueOf(each)));
+      }
+      assertFalse(channel.isOpen(), request);
+      channel.finishAndReleaseAll();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"GET /abcdefgh\r\n", "GET /abcdefgh\n1;", "POST (abcdefgh) + 1;", "PUT /abc  x"})
+  void whatIsNoRequestAfterAllPassesInSingleBytes(String source) {
+    EmbeddedChannel channel = channel();
+    for (char each : source.toCharArray()) {
+      channel.writeInbound(bytes(String.valueOf(each)));
+    }
+    assertEquals(source, received(channel));
     channel.finishAndReleaseAll();
   }
 
