@@ -5,6 +5,8 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -23,6 +25,9 @@ import org.urbi.kernel.error.Problem;
 public final class Disk {
   /** How many bytes are read at most of something that is not a regular file. */
   private static final int LARGEST_DEVICE = 1 << 26;
+
+  /** How many bytes are written at a time: the JDK copies them before. */
+  private static final int CHUNK = 1 << 16;
 
   private final Outside outside;
 
@@ -95,7 +100,9 @@ public final class Disk {
     if (Files.isRegularFile(path)) {
       return Files.readAllBytes(path);
     }
-    try (InputStream in = Files.newInputStream(path)) {
+    // Unlike the streams of Files, a channel can be interrupted when nobody waits for it any more.
+    try (InputStream in =
+        Channels.newInputStream(FileChannel.open(path, StandardOpenOption.READ))) {
       byte[] bytes = in.readNBytes(LARGEST_DEVICE);
       if (bytes.length == LARGEST_DEVICE && in.read() >= 0) {
         throw new IOException(Problem.FILE_TOO_LARGE.text());
@@ -107,12 +114,16 @@ public final class Disk {
   /** Writes the content of a file, which is created if it does not exist. */
   public void write(Path path, byte[] bytes) throws IOException {
     change(() -> {
-      Files.write(
-          confinement().followed(path),
-          bytes,
-          StandardOpenOption.CREATE,
-          StandardOpenOption.WRITE,
-          StandardOpenOption.TRUNCATE_EXISTING);
+      try (FileChannel file =
+          FileChannel.open(
+              confinement().followed(path),
+              StandardOpenOption.CREATE,
+              StandardOpenOption.WRITE,
+              StandardOpenOption.TRUNCATE_EXISTING)) {
+        for (int from = 0; from < bytes.length; ) {
+          from += file.write(ByteBuffer.wrap(bytes, from, Math.min(CHUNK, bytes.length - from)));
+        }
+      }
     });
   }
 
@@ -120,6 +131,8 @@ public final class Disk {
   public FileSource source(Path path) throws IOException {
     return new FileSource(
         outside,
+        path,
+        size(path) == 0,
         outside.open(
             () -> FileChannel.open(confinement().followed(path), StandardOpenOption.READ)));
   }

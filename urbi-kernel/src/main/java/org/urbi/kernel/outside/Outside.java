@@ -39,9 +39,6 @@ public final class Outside implements Closeable {
   /** How long to spin for the start of watching directories, which takes the JDK longer once. */
   private static final int WATCH_SPINS = 10_000_000;
 
-  /** The limits of the job for which a thread of this package works. */
-  private static final ScopedValue<Confinement> LENT = ScopedValue.newInstance();
-
   private final Scheduler scheduler;
   private final Confinement confinement;
   private final Confinement users;
@@ -65,8 +62,9 @@ public final class Outside implements Closeable {
 
   /** The limits of the running code; those of the kernel, when no code runs. */
   public Confinement confinement() {
-    if (LENT.isBound()) {
-      return LENT.get();
+    Confinement lent = OutsideWork.confinement();
+    if (lent != null) {
+      return lent;
     }
     Job running = scheduler.isKernelThread() ? scheduler.running() : null;
     if (running == null || running.isOwner()) {
@@ -185,10 +183,10 @@ public final class Outside implements Closeable {
     try {
       outcome(
           job,
-          () -> {
+          endless(() -> {
             directories().watch(confinement().followed(directory), number);
             return null;
-          },
+          }),
           WATCH_SPINS);
     } catch (IOException e) {
       inbox().forget(number);
@@ -207,10 +205,12 @@ public final class Outside implements Closeable {
    * Like {@link #await}, for work so short that other jobs would not notice: usually none of them
    * runs before it is done. Its result may be null.
    *
+   * @param file what the work is about: if it is one that makes it wait for others, such as a pipe,
+   *     the work ends with the job
    * @throws IOException as the work did
    */
-  public <T> @Nullable T awaitBriefly(Job job, Callable<T> work) throws IOException {
-    return outcome(job, work, SPINS);
+  public <T> @Nullable T awaitBriefly(Job job, Path file, Callable<T> work) throws IOException {
+    return outcome(job, new OutsideWork<>(confinement(), file, work), SPINS);
   }
 
   /**
@@ -218,8 +218,10 @@ public final class Outside implements Closeable {
    *
    * @throws IOException as the work did
    */
-  public <T> @Nullable T openBriefly(Job job, Callable<T> work) throws IOException {
-    return opened(job, work, SPINS);
+  public <T> @Nullable T openBriefly(Job job, Path file, Callable<T> work) throws IOException {
+    AtomicReference<@Nullable T> opened = new AtomicReference<>();
+    outcome(job, new OutsideWork<>(confinement(), file, keeping(opened, work)), SPINS);
+    return opened.get();
   }
 
   /**
@@ -228,7 +230,7 @@ public final class Outside implements Closeable {
    * @throws IOException as the work did
    */
   public <T> T await(Job job, Callable<T> work) throws IOException {
-    return requireNonNull(outcome(job, work, 0), "what is waited for is there");
+    return requireNonNull(outcome(job, endless(work), 0), "what is waited for is there");
   }
 
   /**
@@ -237,28 +239,30 @@ public final class Outside implements Closeable {
    * @throws IOException as the work did
    */
   <T> @Nullable T awaitOpen(Job job, Callable<T> work) throws IOException {
-    return opened(job, work, 0);
-  }
-
-  /** The live object does not pass the inbox: who waits has it already when the answer comes. */
-  private <T> @Nullable T opened(Job job, Callable<T> work, int spins) throws IOException {
     AtomicReference<@Nullable T> opened = new AtomicReference<>();
-    outcome(
-        job,
-        () -> {
-          opened.set(work.call());
-          return null;
-        },
-        spins);
+    outcome(job, endless(keeping(opened, work)), 0);
     return opened.get();
   }
 
-  private <T> @Nullable T outcome(Job job, Callable<T> work, int spins) throws IOException {
+  /** The live object does not pass the inbox: who waits has it already when the answer comes. */
+  private static <T> Callable<@Nullable T> keeping(
+      AtomicReference<@Nullable T> opened, Callable<T> work) {
+    return () -> {
+      opened.set(work.call());
+      return null;
+    };
+  }
+
+  /** Work that goes on when the job has ended. */
+  private <T> OutsideWork<T> endless(Callable<T> work) {
+    return new OutsideWork<>(confinement(), null, work);
+  }
+
+  private <T> @Nullable T outcome(Job job, OutsideWork<T> work, int spins) throws IOException {
     PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
     AtomicReference<Outcome> early = new AtomicReference<>();
-    Confinement allowed = confinement();
     start(() -> {
-      Outcome outcome = Outcome.of(() -> ScopedValue.where(LENT, allowed).call(work::call));
+      Outcome outcome = Outcome.of(work::call);
       early.set(outcome);
       answer.post(outcome);
     });
@@ -266,10 +270,24 @@ public final class Outside implements Closeable {
       Thread.onSpinWait();
     }
     if (spins == 0 || !query(() -> early.get() != null)) {
-      return answer.await().get();
+      return awaited(answer, work).get();
     }
     answer.abandon();
     return look(() -> requireNonNull(early.get(), "it was there").get());
+  }
+
+  /** Work that the job no longer waits for is let go, if it may last for ever. */
+  private Outcome awaited(PendingAnswer answer, OutsideWork<?> work) {
+    boolean over = false;
+    try {
+      Outcome outcome = answer.await();
+      over = true;
+      return outcome;
+    } finally {
+      if (!over && work.mayBeLetGo()) {
+        start(work::letGo);
+      }
+    }
   }
 
   /** A property of the Java machine, such as {@code os.name}; empty if it has none. */

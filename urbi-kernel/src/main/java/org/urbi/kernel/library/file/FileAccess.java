@@ -171,8 +171,12 @@ public final class FileAccess {
   public byte[] content(Frame frame, CallSite site, UrbiPath path, Path file) {
     Disk disk = disk();
     try {
-      if (disk.isRegularFile(file) && disk.size(file) <= LARGE) {
-        return disk.read(file);
+      if (disk.isRegularFile(file)) {
+        long size = disk.size(file);
+        // Those of the operating system (proc(5)) seem to be empty, and may make readers wait.
+        if (size > 0 && size <= LARGE) {
+          return disk.read(file);
+        }
       }
     } catch (IOException e) {
       // The other way says what is wrong.
@@ -181,6 +185,7 @@ public final class FileAccess {
         frame,
         site,
         path,
+        file,
         () -> {
           if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
             throw new IOException(Problem.FILE_TOO_LARGE.text());
@@ -191,9 +196,13 @@ public final class FileAccess {
 
   /** Finds out about files what may take long, while the job waits. */
   <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
+    return slowly(frame, site, path, path.file(), action);
+  }
+
+  private <T> T slowly(Frame frame, CallSite site, UrbiPath path, Path file, Callable<T> action) {
     try {
       return requireNonNull(
-          outside.awaitBriefly(frame.job(), action), "what is found out is there");
+          outside.awaitBriefly(frame.job(), file, action), "what is found out is there");
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }
@@ -202,7 +211,7 @@ public final class FileAccess {
   /** Opens a file, which may take long, while the job waits; null in a replay. */
   <T> @Nullable T openSlowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
     try {
-      return outside.openBriefly(frame.job(), action);
+      return outside.openBriefly(frame.job(), path.file(), action);
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }

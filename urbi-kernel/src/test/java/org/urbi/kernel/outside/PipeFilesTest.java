@@ -1,0 +1,133 @@
+package org.urbi.kernel.outside;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.TestClient;
+import org.urbi.kernel.trust.Role;
+
+/**
+ * Files at whose other end nobody is: whoever opens, reads or writes them waits, perhaps for ever,
+ * alone, and leaves nothing behind when it is stopped.
+ */
+class PipeFilesTest {
+  @TempDir Path folder;
+  private Kernel kernel;
+  private TestClient client;
+  private TestClient other;
+
+  @BeforeEach
+  void start() throws IOException, InterruptedException {
+    Path pipe = folder.resolve("pipe");
+    assumeTrue(Files.isExecutable(Path.of("/usr/bin/mkfifo")), "there is no mkfifo");
+    assertEquals(0, new ProcessBuilder("/usr/bin/mkfifo", pipe.toString()).start().waitFor());
+    kernel = Kernel.builder().log(line -> {}).start();
+    client = new TestClient(kernel, Role.OWNER);
+    other = new TestClient(kernel, Role.OWNER);
+    client.say("var pipe = \"" + pipe + "\"|; var t = Tag.new|;");
+  }
+
+  @AfterEach
+  void end() {
+    kernel.close();
+  }
+
+  /** Whether a thread works on a file. */
+  private static boolean isAtWork() {
+    return Thread.getAllStackTraces().values().stream()
+        .flatMap(Arrays::stream)
+        .anyMatch(frame -> frame.getClassName().equals(OutsideWork.class.getName()));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "File.save(pipe, \"x\")",
+        "File.save(pipe, \"x\" * 1000000)",
+        "File.create(pipe)",
+        "OutputStream.new(File.new(pipe)) << \"x\"",
+        "File.new(pipe).content",
+        "File.new(pipe).asList",
+        "InputStream.new(File.new(pipe)).getLine",
+        "load(pipe)",
+        "loadFile(pipe)",
+      })
+  void whoWaitsAtAPipeHoldsNobody(String code) {
+    client.connection().send("t: { " + code + " },\n");
+    assertEquals("1", other.say("1;"));
+    client.say("t.stop;");
+    assertEquals("2", other.say("2;"));
+    while (isAtWork()) {
+      assertEquals("3", other.say("3;"));
+    }
+  }
+
+  /** Somebody is at the other end, and is silent. */
+  @Test
+  void whoReadsAPipeWhoseWriterIsSilentIsLetGo() throws IOException, InterruptedException {
+    Process silent =
+        new ProcessBuilder("sh", "-c", "exec sleep inf >" + folder.resolve("pipe")).start();
+    try {
+      client.connection().send("t: File.new(pipe).content,\n");
+      while (!isAtWork()) {
+        assertEquals("1", other.say("1;"));
+      }
+      client.say("t.stop;");
+      while (isAtWork()) {
+        assertEquals("2", other.say("2;"));
+      }
+    } finally {
+      silent.destroy();
+      silent.waitFor();
+    }
+  }
+
+  @Test
+  void whoWritesMoreThanAPipeHoldsIsLetGo() throws IOException, InterruptedException {
+    Process silent =
+        new ProcessBuilder("sh", "-c", "exec sleep inf <" + folder.resolve("pipe")).start();
+    try {
+      client.connection().send("t: File.save(pipe, \"x\" * 1000000),\n");
+      while (!isAtWork()) {
+        assertEquals("1", other.say("1;"));
+      }
+      client.say("t.stop;");
+      while (isAtWork()) {
+        assertEquals("2", other.say("2;"));
+      }
+    } finally {
+      silent.destroy();
+      silent.waitFor();
+    }
+  }
+
+  @Test
+  void aPipeIsReadAndWritten() {
+    String answer =
+        client.say("{ File.save(pipe, \"hello\") } & { echo(File.new(pipe).content.data) };");
+    assertTrue(answer.contains("*** hello"), answer);
+  }
+
+  @Test
+  void anEmptyFileIsReadToItsEnd() {
+    String file = "\"" + folder.resolve("empty") + "\"";
+    client.say(
+        "File.create(" + file + ")|; var stream = InputStream.new(File.new(" + file + "))|;");
+    assertEquals("\"\"", client.say("File.new(" + file + ").content.data;"));
+    assertEquals("", client.say("stream.getLine;"));
+    client.say("File.save(" + file + ", \"more\");");
+    assertEquals("\"more\"", client.say("stream.getLine;"));
+  }
+}
