@@ -411,12 +411,17 @@ public final class Job extends JobFacts implements Runnable {
     }
   }
 
+  /** Whether {@link #checkInterrupted} has to look. */
+  public boolean mayBeInterrupted() {
+    return interruptions.arePending();
+  }
+
   /**
    * Throws if somebody has asked to end this job; to be called regularly by code that never lets
    * others run.
    */
   public void checkInterrupted() {
-    if (interruptions.arePending()) {
+    if (mayBeInterrupted()) {
       interruptions.check(this);
     }
   }

@@ -28,6 +28,9 @@ public final class YieldCount {
   /** How many of them are left. */
   private int left;
 
+  /** How many of them a loop that is running has borrowed, and not given back. */
+  private int lent;
+
   /** How many have passed, without those of the present grant. */
   private long passed;
 
@@ -45,7 +48,12 @@ public final class YieldCount {
 
   /** How many have let nobody else run, in all. */
   long passed() {
-    return passed + granted - left;
+    return passed + used();
+  }
+
+  /** How many have passed because of the present grant. */
+  private int used() {
+    return granted - left - lent;
   }
 
   /** Whether this one passes because of a grant: there is nothing to do. */
@@ -55,6 +63,32 @@ public final class YieldCount {
       return true;
     }
     return false;
+  }
+
+  /**
+   * Lends all that are left of the grant to a loop, which counts them by itself. It gives back what
+   * it has not used before anybody else may ask, or end the grant; unless it has used them all.
+   *
+   * @return how many; none if there are news
+   */
+  public int borrow() {
+    lent = 0;
+    if (!inbox.isFilled()) {
+      lent = left;
+      left = 0;
+    }
+    return lent;
+  }
+
+  /**
+   * Takes back what has been lent.
+   *
+   * @param rest how many have not been used
+   */
+  public void giveBack(int rest) {
+    // If the machine has failed in the loop, the grant may have ended since.
+    left += Math.min(rest, lent);
+    lent = 0;
   }
 
   /** Lets this yield pass, and as many of the next ones, without another look at the queue. */
@@ -68,10 +102,11 @@ public final class YieldCount {
   void endGrant() {
     // Asked several times in each turn, and hardly ever is there a grant.
     if (granted != 0) {
-      passed += granted - left;
-      count += granted - left;
+      passed += used();
+      count += used();
       granted = 0;
       left = 0;
+      lent = 0;
     }
   }
 

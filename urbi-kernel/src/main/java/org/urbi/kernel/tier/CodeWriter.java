@@ -1,11 +1,15 @@
 package org.urbi.kernel.tier;
 
+import static java.lang.constant.ConstantDescs.CD_int;
+import static java.lang.constant.ConstantDescs.CD_void;
+
 import java.lang.classfile.CodeBuilder;
 import java.lang.classfile.Label;
 import java.lang.classfile.TypeKind;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.Values;
@@ -17,6 +21,29 @@ import org.urbi.kernel.object.Values;
 abstract class CodeWriter {
   /** The bytes of an instruction that reads a constant or calls a method. */
   private static final int SHORTEST = 3;
+
+  /**
+   * The helpers that execute no code of urbiscript, throw nothing, and let nobody else be able to
+   * run; of those that loops call often.
+   */
+  private static final Set<String> QUIET =
+      Set.of(
+          "captured",
+          "element",
+          "entry",
+          "frame",
+          "hasEntry",
+          "isExposed",
+          "isNumber",
+          "job",
+          "local",
+          "not",
+          "number",
+          "object",
+          "self",
+          "size");
+
+  private static final int NO_COUNT = -1;
 
   final CodeBuilder code;
   final Unit unit;
@@ -30,6 +57,9 @@ abstract class CodeWriter {
 
   /** The first slot that nothing is kept in. */
   private int free;
+
+  /** The slot of how many {@code ;} may just pass, while a loop that counts them is emitted. */
+  private int passing = NO_COUNT;
 
   /** An error without a place gets that of this node, while its code is emitted; null for none. */
   private @Nullable Node place;
@@ -77,20 +107,73 @@ abstract class CodeWriter {
     }
   }
 
+  // ------------------------------------------------------------------ counting ";"
+
+  /** From here on the {@code ;} that pass are counted in the code itself. */
+  void beginCounting() {
+    passing = newFlag();
+    code.iconst_0().istore(passing);
+  }
+
+  /** The loop that counts is over. */
+  void endCounting() {
+    beforeOthers();
+    passing = NO_COUNT;
+  }
+
+  boolean isCounting() {
+    return passing != NO_COUNT;
+  }
+
+  /** The slot of how many {@code ;} may just pass; 0 if that has to be asked. */
+  int passing() {
+    return passing;
+  }
+
+  /**
+   * Other code may ask from now on how many {@code ;} have passed, or let others run: what has been
+   * borrowed is given back.
+   */
+  void beforeOthers() {
+    if (isCounting()) {
+      yields();
+      code.iload(passing)
+          .invokevirtual(Names.YIELDS, "giveBack", MethodTypeDesc.of(CD_void, CD_int));
+      code.iconst_0().istore(passing);
+    }
+  }
+
+  /** Pushes what counts the {@code ;}. */
+  void yields() {
+    constant(unit.frame().job().scheduler().yields(), Names.YIELDS);
+  }
+
+  // ------------------------------------------------------------------ calls
+
+  /** Lets others run; what has been borrowed has been used. */
+  void letOthersRun() {
+    int counted = passing;
+    passing = NO_COUNT;
+    callJob("yield");
+    passing = counted;
+  }
+
   /** Calls a method of the job that may throw. */
   void callJob(String name) {
+    beforeOthers();
     job();
     if (place == null) {
       code.invokevirtual(Names.JOB, name, ConstantDescs.MTD_void);
     } else {
       frame();
       place();
-      help(name, ConstantDescs.CD_void, Names.JOB, Names.FRAME, Names.NODE);
+      help(name, CD_void, Names.JOB, Names.FRAME, Names.NODE);
     }
   }
 
   /** Executes a node. */
   void execute(Node node) {
+    beforeOthers();
     constant(node, Names.NODE);
     frame();
     if (place == null) {
@@ -226,6 +309,9 @@ abstract class CodeWriter {
 
   /** Calls a method of the superclass. */
   void help(String name, ClassDesc result, ClassDesc... parameters) {
+    if (!QUIET.contains(name)) {
+      beforeOthers();
+    }
     grow();
     help(code, name, result, parameters);
   }

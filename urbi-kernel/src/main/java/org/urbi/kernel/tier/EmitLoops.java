@@ -146,11 +146,28 @@ final class EmitLoops {
     }
     Label over = to.code.newLabel();
     init.run();
+    boolean counts = counts(node);
+    if (counts) {
+      to.beginCounting();
+    }
     Loop loop =
         new Loop(to.code.newLabel(), to.code.newLabel(), NO_JOBS, Survey.of(body).mayJump());
     turns(loop, body, parts, over);
     to.code.labelBinding(loop.broken());
     to.code.labelBinding(over);
+    if (counts) {
+      to.endCounting();
+    }
+  }
+
+  /**
+   * Whether the {@code ;} in a loop are counted in the code itself: if it calls nobody, so that
+   * there are many of them before somebody else has to know how many.
+   */
+  private boolean counts(Node loop) {
+    Survey turns = Survey.ofTurns(loop);
+    return turns.pausesOften()
+        && turns.messages().stream().allMatch(message -> to.messages().callsNobody(message));
   }
 
   /** Emits a loop that may detach jobs. */
@@ -188,6 +205,10 @@ final class EmitLoops {
 
   /** Emits a loop that is running, from its condition on; the caller has begun it, and ends it. */
   void unit(Node node) {
+    boolean counts = counts(node) && !Survey.of(node).mayDetach();
+    if (counts) {
+      to.beginCounting();
+    }
     Loop loop =
         new Loop(to.code.newLabel(), to.code.newLabel(), NO_JOBS, Survey.of(node).mayJump());
     Label done = to.code.newLabel();
@@ -210,6 +231,9 @@ final class EmitLoops {
     to.frame();
     to.help("breaks", CD_void, Names.FRAME);
     to.code.labelBinding(done);
+    if (counts) {
+      to.endCounting();
+    }
     to.writeAll();
     to.loadVoid();
     to.code.areturn();
@@ -242,6 +266,11 @@ final class EmitLoops {
       yieldToOthers(heads.usual());
       to.code.goto_(heads.afterOthers());
     } else {
+      if (to.isCounting()) {
+        to.job();
+        to.code.invokevirtual(Names.JOB, "mayBeInterrupted", MethodTypeDesc.of(CD_boolean));
+        to.code.ifeq(heads.usual());
+      }
       to.callJob("checkInterrupted");
       to.code.goto_(heads.usual());
     }
@@ -324,10 +353,23 @@ final class EmitLoops {
 
   /** Emits {@code ;}; jumps if there was nothing to do. */
   private void yieldToOthers(Label passed) {
-    to.constant(to.unit.frame().job().scheduler().yields(), Names.YIELDS);
-    to.code.invokevirtual(Names.YIELDS, "passes", MethodTypeDesc.of(CD_boolean)).ifne(passed);
-    to.callJob("yield");
+    Label over = to.code.newLabel();
+    if (to.isCounting()) {
+      Label more = to.code.newLabel();
+      Label none = to.code.newLabel();
+      to.code.iload(to.passing()).ifle(more).iinc(to.passing(), -1).goto_(passed);
+      to.code.labelBinding(more);
+      to.yields();
+      to.code.invokevirtual(Names.YIELDS, "borrow", MethodTypeDesc.of(CD_int));
+      to.code.dup().istore(to.passing()).ifle(none).iinc(to.passing(), -1).goto_(over);
+      to.code.labelBinding(none);
+    } else {
+      to.yields();
+      to.code.invokevirtual(Names.YIELDS, "passes", MethodTypeDesc.of(CD_boolean)).ifne(passed);
+    }
+    to.letOthersRun();
     to.afterOthers();
+    to.code.labelBinding(over);
   }
 
   // ------------------------------------------------------------------ leaving
@@ -344,6 +386,7 @@ final class EmitLoops {
 
   /** Emits {@code return}. */
   void leaveFunction(Value value) {
+    to.beforeOthers();
     to.tries().leave(0);
     for (Loop loop : around) {
       if (loop.jobs() >= 0) {

@@ -84,6 +84,16 @@ final class EmitMessages {
     return compiled == null ? null : new Callee(body, compiled);
   }
 
+  /** Whether a message has only read slots and containers until now. */
+  boolean callsNobody(MessageSend message) {
+    List<KnownSlot> places = slots.places(message.lookup(), message.target());
+    int count = message.argumentNodes().length;
+    return !places.isEmpty()
+        && places.stream()
+            .map(KnownSlot::code)
+            .allMatch(code -> code == null || containers.shortcut(code, count) != null);
+  }
+
   // ------------------------------------------------------------------ without arguments
 
   private void ask(MessageSend message, int receiver, Value result) {
@@ -391,6 +401,7 @@ final class EmitMessages {
       int receiver,
       List<Value> arguments,
       Value result) {
+    to.beforeOthers();
     MethodTypeDesc type = EmitFunction.callType(arguments.size());
     if (callee.compiled != null) {
       to.constant(callee.compiled, Names.COMPILED_CODE);

@@ -88,9 +88,16 @@ final class EmitScopes {
   }
 
   private void leave(int around) {
+    Label over = to.code.newLabel();
+    if (to.isCounting()) {
+      to.code.aload(around);
+      to.constant(ScopeEnd.NOT_ENTERED, Names.SCOPE_END);
+      to.code.if_acmpeq(over);
+    }
     to.frameIfAny();
     to.code.aload(around);
     to.help("leaveScope", CD_void, Names.FRAME, Names.SCOPE_END);
+    to.code.labelBinding(over);
   }
 
   /** Emits the end of the scopes that are inside of so many loops: they are about to be left. */

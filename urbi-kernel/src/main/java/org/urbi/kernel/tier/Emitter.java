@@ -128,6 +128,10 @@ final class Emitter extends CodeWriter {
     return statements;
   }
 
+  EmitMessages messages() {
+    return messages;
+  }
+
   EmitLoops loops() {
     return loops;
   }

@@ -1,6 +1,8 @@
 package org.urbi.kernel.tier;
 
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.Conditionals;
@@ -29,6 +31,10 @@ final class Survey {
   private boolean jumps;
   private boolean closures;
   private boolean passes;
+  private boolean pauses;
+  private boolean callsLocal;
+  private int loops;
+  private final List<MessageSend> messages = new ArrayList<>();
   private final BitSet assignedInArguments = new BitSet();
   private int operations;
   private int depth;
@@ -36,6 +42,21 @@ final class Survey {
   static Survey of(@Nullable Node node) {
     Survey survey = new Survey();
     survey.visit(node);
+    return survey;
+  }
+
+  /** What the turns of a loop do. */
+  static Survey ofTurns(Node node) {
+    Survey survey = new Survey();
+    if (node instanceof Loops.Sequential loop) {
+      survey.pauses = loop.yields();
+      survey.visit(loop.condition());
+      survey.visit(loop.step());
+      survey.visit(loop.body());
+    } else if (node instanceof ForEach loop) {
+      survey.pauses = loop.yields();
+      survey.visit(loop.body());
+    }
     return survey;
   }
 
@@ -96,6 +117,16 @@ final class Survey {
    */
   boolean mayDetach() {
     return hides || passes;
+  }
+
+  /** Whether there is a {@code ;} in it, and no loop or other code that may take long. */
+  boolean pausesOften() {
+    return pauses && loops == 0 && !hides && !passes && !callsLocal;
+  }
+
+  /** The messages that are sent in it. */
+  List<MessageSend> messages() {
+    return messages;
   }
 
   /** Whether {@code break} and {@code continue} may come out of it as exceptions. */
@@ -206,7 +237,10 @@ final class Survey {
 
   private boolean visitStatement(Node node) {
     if (node instanceof Sequences.Chain chain) {
-      visitAll(chain.statements());
+      for (int i = 0; i < chain.statements().length; i++) {
+        pauses |= i < chain.statements().length - 1 && chain.yieldsAfter(i);
+        visit(chain.statements()[i]);
+      }
     } else if (node instanceof Sequences.Located located) {
       visit(located.code());
     } else if (node instanceof ScopeEnd.Scope scope) {
@@ -216,11 +250,13 @@ final class Survey {
       visit(choice.thenClause());
       visit(choice.elseClause());
     } else if (node instanceof Loops.Sequential loop) {
+      loops++;
       visit(loop.init());
       visit(loop.condition());
       visit(loop.step());
       visit(loop.body());
     } else if (node instanceof ForEach loop && EmitLoops.canCount(loop)) {
+      loops++;
       assign(loop.variable().declaredLocal());
       visit(loop.range());
       visit(loop.body());
@@ -288,6 +324,7 @@ final class Survey {
       visitAll(literal.elements());
     } else if (node instanceof MessageSend.OfLocal call) {
       passes |= call.argumentNodes().length > 0;
+      callsLocal = true;
       visit(call.variable());
       depth++;
       visitAll(call.argumentNodes());
@@ -303,6 +340,7 @@ final class Survey {
       visit(assignment.target());
       visit(assignment.value());
     } else if (node instanceof MessageSend message) {
+      messages.add(message);
       passes |= message.argumentNodes().length > 0 && isWord(message.calledName());
       visit(message.target());
       depth++;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.message.Message;
 
 class YieldCountTest {
   private final YieldCount yields = new YieldCount(new Inbox(Journal.NONE));
@@ -64,5 +65,53 @@ class YieldCountTest {
     yields.endGrant();
     yields.grant(-5);
     assertEquals(0, passing());
+  }
+
+  @Test
+  void whatALoopHasBorrowedAndUsedHasPassed() {
+    yields.isOver();
+    yields.grant(10);
+    assertEquals(10, yields.borrow());
+    assertFalse(yields.passes());
+    yields.giveBack(7);
+    assertEquals(4, yields.passed());
+    assertEquals(7, passing());
+    yields.endGrant();
+    assertEquals(11, yields.passed());
+    assertEquals(11, yields.count());
+  }
+
+  @Test
+  void whoBorrowsAgainHasUsedAll() {
+    yields.isOver();
+    yields.grant(10);
+    yields.borrow();
+    assertEquals(0, yields.borrow());
+    assertEquals(11, yields.passed());
+    yields.endGrant();
+    assertEquals(11, yields.count());
+  }
+
+  @Test
+  void nothingIsLentWhenThereAreNews() {
+    var inbox = new Inbox(Journal.NONE);
+    var count = new YieldCount(inbox);
+    count.isOver();
+    count.grant(10);
+    inbox.post(new Message.Shutdown(0));
+    assertEquals(0, count.borrow());
+    count.endGrant();
+    assertEquals(1, count.passed());
+  }
+
+  @Test
+  void whatComesBackAfterTheGrantIsNotLeftOfAnother() {
+    yields.isOver();
+    yields.grant(10);
+    yields.borrow();
+    yields.endGrant();
+    yields.giveBack(7);
+    assertFalse(yields.passes());
+    assertEquals(1, yields.passed());
   }
 }

@@ -1,0 +1,92 @@
+package org.urbi.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Compiled loops count their cycles themselves, and tell everybody who asks. */
+class CountedLoopTest {
+  private static final String PROGRAM =
+      """
+      function plain(n) { var i = 0; while (i < n) { i += 1 }; i }|;
+      function body(n) { var i = 0; while| (i < n) { i += 1; i += 1; i }; i }|;
+      function leaves(n) {
+        var i = 0;
+        while (true) { i++; if (i > n) break; if (i == 150) return i }; -i
+      }|;
+      function each(n) {
+        var s = 0;
+        for (var i : n) { s += i; if (i == 3) continue; s += 1 }; s
+      }|;
+      function asks(n) {
+        var i = 0; var c = System.cycle;
+        while (i < n) { i += 1; if (i == n - 3) echo(System.cycle - c); i += 1 };
+        System.cycle - c
+      }|;
+      function inner(n) {
+        var s = 0;
+        for (var i : n) { var j = 0; while (j < 7) { s += j; j++ } }; s
+      }|;
+      function fails(n) { var i = 0; while (true) { i += 1; if (i > n) i = i + nil } }|;
+      function tries(n) {
+        var i = 0;
+        while (i < n) { i++; try { if (i % 7 == 0) throw i; i += 1 } catch (var e) { i += e } };
+        try { fails(n) } catch (var e) { echo(e.message) }
+      }|;
+      class Box { var n = 0; function up { n += 1 } }|;
+      var box = Box.new|;
+      function slots(b, k) { while (b.n < k) { b.n += 1; b.n }; while (b.n > 0) { b.n -= 2; b.up } }|;
+      function grows(n) { var l = [0]; var i = 0; while (i < n) { l[0] += i; l << i; i++ }; l.size }|;
+      function used(name, n) {
+        var c = System.cycle;
+        switch (name) {
+          case "plain": echo(plain(n)); case "body": echo(body(n)); case "leaves": echo(leaves(n));
+          case "each": echo(each(n)); case "asks": echo(asks(n)); case "inner": echo(inner(n));
+          case "tries": tries(n); case "slots": slots(box, n); case "grows": echo(grows(n))
+        };
+        echo(name + ": " + (System.cycle - c))
+      }|;
+      function all(n) {
+        for (var name : ["plain", "body", "leaves", "each", "asks", "inner", "tries", "slots", "grows"])
+          used(name, n)
+      }|;
+      all(9); all(130); all(250);
+      { var c = System.cycle; plain(77), body(30) & leaves(20); each(9); echo(System.cycle - c) };
+      { var c = System.cycle; var i = 0; while (i < 40) { i += 1; i.none }; };
+      var t = Tag.new|; var seen = 0|;
+      t: while (true) { seen += 1; seen == 0 },
+      sleep(1ms)|; t.stop; var after = seen|; sleep(1ms)|; after == seen; after; System.cycle;
+      function starts(n) {
+        var i = 0;
+        while (i < n) { i += 1; lobby.seen = i; if (i == 60) detach({ echo(lobby.seen) }) }
+      }|;
+      starts(90); starts(90); sleep(1ms); System.cycle;
+      function exposed(n) {
+        var i = 0;
+        { sleep(1ms); i = -n } & while (i >= 0) { i += 1 };
+        i
+      }|;
+      exposed(5); exposed(6); System.cycle;
+      var plus = Float.getSlotValue("+")|;
+      function redefines(n) {
+        var i = 0; var s = 0;
+        while (i < n) {
+          i = i + 1; s = s - i;
+          if (i == 20) Float.'+' = function(x) { echo(System.cycle - lobby.start) | 21 };
+          if (i == 21) Float.'+' = lobby.getSlotValue("plus")
+        };
+        s
+      }|;
+      var start = System.cycle|; redefines(40); Float.setSlot("+", getSlotValue("plus"))|; System.cycle - start;
+      """;
+
+  @ParameterizedTest
+  @CsvSource({"1, 0", "2, 0", "5, 0", "1, 3", "3, 2"})
+  void theCyclesAreThoseOfTheInterpreter(int threshold, int doubt) {
+    String interpreted = KernelSession.runCompiled(0, 0, 0, PROGRAM);
+    assertFalse(interpreted.contains("syntax error"), interpreted);
+    assertEquals(interpreted, KernelSession.runCompiled(threshold, doubt, 0, PROGRAM));
+  }
+}
