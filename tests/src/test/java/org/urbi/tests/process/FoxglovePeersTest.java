@@ -257,6 +257,43 @@ class FoxglovePeersTest {
     assertTrue(hasManyValues(content), () -> String.join("\n", content));
   }
 
+  /** Who ran, what had been waited for, and who had woken it. */
+  @Test
+  void recordingHasJobsAndTheirTurns(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("run.mcap");
+    Path program =
+        Files.writeString(
+            folder.resolve("program.u"),
+            """
+            var Global.e = Event.new|;
+            mine: { waituntil (false); 1 },
+            detach({ loop { e!; sleep(50ms) } })|;
+            detach({ loop { waituntil (e?); sleep(1ms) } })|;
+            """);
+    List<String> words = List.of("-q", "--mcap", file.toString(), "-i", "-f", program.toString());
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      urbi.send("echo(\"rea\" + \"dy\");\n");
+      urbi.awaitText("ready");
+      String woken = "turn of shell_\\d+ after event by shell_\\d+";
+      while (read(file).stream().noneMatch(line -> line.matches(woken))) {
+        Thread.sleep(100);
+      }
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+    List<String> content = read(file, "whole");
+    has(
+        content,
+        "channel /jobs json urbi.Jobs jsonschema",
+        "channel /turns json urbi.Turns jsonschema");
+    for (String told :
+        List.of(
+            "turn of shell_\\d+ after time by .*", "job \\S+ waits for condition under .*mine.*")) {
+      assertTrue(
+          content.stream().anyMatch(each -> each.matches(told)), () -> String.join("\n", content));
+    }
+  }
+
   private static boolean hasManyValues(List<String> content) {
     return content.stream().anyMatch(line -> line.matches("messages /ball/x \\d{2,} .*"));
   }

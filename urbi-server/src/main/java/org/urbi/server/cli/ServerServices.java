@@ -90,6 +90,7 @@ final class ServerServices implements HostServices, AutoCloseable {
               file,
               client -> observed.connect(client, false),
               settings.shown().paths(),
+              !settings.fast(),
               settings.trace()::log,
               () -> recorded.change(""));
       recorder = begun;

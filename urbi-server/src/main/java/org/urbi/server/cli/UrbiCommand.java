@@ -167,7 +167,9 @@ public final class UrbiCommand {
             watched::add,
             "--watch")
         .option(
-            "FILE", "Record variables and the log to FILE, an MCAP file for Foxglove.", "--mcap")
+            "FILE",
+            "Record variables, jobs and the log to FILE, an MCAP file for Foxglove.",
+            "--mcap")
         .option("FILE", "Record the run to FILE, so that it can be replayed.", "--record")
         .option(
             "FILE", "Replay the run that FILE is a recording of, and do nothing else.", "--replay");

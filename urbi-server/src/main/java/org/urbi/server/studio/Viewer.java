@@ -26,6 +26,7 @@ import org.urbi.server.studio.access.LateAnswers;
 import org.urbi.server.studio.access.PageClient;
 import org.urbi.server.studio.access.StreamHandler;
 import org.urbi.server.studio.files.Folders;
+import org.urbi.server.studio.messages.JobTable;
 import org.urbi.web.Annexes;
 
 /**
@@ -34,12 +35,6 @@ import org.urbi.web.Annexes;
  * since.
  */
 final class Viewer extends StreamHandler {
-  /** Between two rounds over the jobs, in milliseconds. */
-  private static final int PERIOD = 250;
-
-  /** So many jobs make that longer by a millisecond: to look must not cost more for them. */
-  private static final int JOBS_PER_MILLISECOND = 20;
-
   /** How many requests may come at once, and in each second. */
   private static final int MOST_REQUESTS = 40;
 
@@ -133,9 +128,8 @@ final class Viewer extends StreamHandler {
       send(channel, Answer.view(view));
     }
     if (view.complete()) {
-      int pause = PERIOD + view.total() / JOBS_PER_MILLISECOND;
       Runnable next = LateAnswers.guarding(channel, () -> look(channel));
-      channel.eventLoop().schedule(next, pause, TimeUnit.MILLISECONDS);
+      channel.eventLoop().schedule(next, JobTable.pause(view), TimeUnit.MILLISECONDS);
     } else {
       look(channel);
     }

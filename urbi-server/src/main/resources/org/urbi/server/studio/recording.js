@@ -1,4 +1,4 @@
-// Records all variables and the log to an MCAP file beside the server, for Foxglove and its kind.
+// Records all variables, the jobs and the log to an MCAP file beside the server, for Foxglove and its kind.
 import { set } from "./elements.js";
 
 // How errors of what is run here begin: with its name, and a place in it.

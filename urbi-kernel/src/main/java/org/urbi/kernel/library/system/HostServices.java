@@ -27,7 +27,7 @@ public interface HostServices {
   }
 
   /**
-   * Begins to record the variables and the log.
+   * Begins to record the variables, the jobs and the log.
    *
    * @param file is created, or overwritten
    * @throws IOException if it cannot be written, or something is being recorded

@@ -52,7 +52,8 @@ final class SystemServices {
     return address;
   }
 
-  @Builtin(doc = "Records all variables and the log to a file, for Foxglove and its kind.")
+  @Builtin(
+      doc = "Records all variables, the jobs and the log to a file, for Foxglove and its kind.")
   void startMcap(Frame frame, CallSite site, UrbiObject self, UrbiObject file) {
     Path path = FileAccess.path(frame, site, 1, file).file();
     await(

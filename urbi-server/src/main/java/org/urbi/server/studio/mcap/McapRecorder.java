@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -27,9 +28,9 @@ import org.urbi.server.studio.messages.RosType;
 import org.urbi.server.studio.messages.Topic;
 
 /**
- * Records all variables and the log of a kernel to an MCAP file, on a thread of its own. When the
- * disk is slower than the values come, some are left out, and the log tells how many; when it is
- * full, the recording ends, and what was written before can be read.
+ * Records all variables, the log, the jobs and their turns to an MCAP file, on a thread of its own.
+ * When the disk is slower than the values come, some are left out, and the log tells how many; when
+ * it is full, the recording ends, and what was written before can be read.
  */
 public final class McapRecorder implements AutoCloseable {
   /** After how much time at the latest a value is in the file, in nanoseconds. */
@@ -40,6 +41,11 @@ public final class McapRecorder implements AutoCloseable {
 
   private static final int SMALL = 100;
   private static final int LOG = 0;
+
+  /** Variables have numbers from 1 on. */
+  private static final int JOBS = Integer.MAX_VALUE;
+
+  private static final int TURNS = JOBS - 1;
 
   private sealed interface Event {
     record Appeared(int variable, Topic topic) implements Event {}
@@ -66,6 +72,7 @@ public final class McapRecorder implements AutoCloseable {
   private final Map<Integer, Integer> jsonChannels = new HashMap<>();
 
   private final Clock clock = new SystemClock();
+  private final JobsObserver jobs;
   private final Thread writer = FailureLog.THREADS.platform("urbi-mcap", this::run);
   private long flushAt;
   private volatile boolean failed;
@@ -75,6 +82,9 @@ public final class McapRecorder implements AutoCloseable {
    *
    * @param connect opens a connection to the kernel
    * @param watched the paths of slots that are recorded besides the variables
+   * @param withJobs whether to record jobs and turns, too. To look at them takes the kernel a
+   *     moment at times that depend on the machine, so what is simulated would not do the same each
+   *     time
    * @param log is told what goes wrong
    * @param broken is called when the recording ends before it is closed, on its own thread
    * @throws IOException if the file cannot be written
@@ -83,10 +93,11 @@ public final class McapRecorder implements AutoCloseable {
       Path path,
       Function<Client, Connection> connect,
       List<String> watched,
+      boolean withJobs,
       Consumer<String> log,
       Runnable broken)
       throws IOException {
-    this(path, connect, watched, log, broken, Thread::start);
+    this(path, connect, watched, withJobs, log, broken, Thread::start);
   }
 
   /**
@@ -96,6 +107,7 @@ public final class McapRecorder implements AutoCloseable {
       Path path,
       Function<Client, Connection> connect,
       List<String> watched,
+      boolean withJobs,
       Consumer<String> log,
       Runnable broken,
       Consumer<Thread> begin)
@@ -107,6 +119,7 @@ public final class McapRecorder implements AutoCloseable {
     topics.put(LOG, Topic.LOG);
     connection = connect.apply(new Observer());
     connection.feed(new Feed(), true, watched);
+    jobs = new JobsObserver(connection, this::write, withJobs ? clock.now() : JobsObserver.NEVER);
     try {
       begin.accept(writer);
     } catch (OutOfMemoryError e) {
@@ -199,16 +212,27 @@ public final class McapRecorder implements AutoCloseable {
       while (goesOn) {
         Event event = next();
         goesOn = !(event instanceof Event.End);
+        if (!file.isPending()) {
+          flushAt = clock.now() + FLUSH;
+        }
         if (event != null) {
           take(event);
         }
-        if (file.isPending() && clock.now() >= flushAt) {
+        long now = clock.now();
+        if (now >= jobs.due()) {
+          jobs.goOn(now);
+        }
+        if (file.isPending() && now >= flushAt) {
           file.flush();
         }
       }
+      jobs.answered();
       file.close();
     } catch (IOException e) {
       end(String.valueOf(e.getMessage()));
+    } catch (ExecutionException e) {
+      FailureLog.internal("the jobs that are recorded to " + path, e);
+      end(FailureLog.text(e));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
@@ -225,14 +249,10 @@ public final class McapRecorder implements AutoCloseable {
     broken.run();
   }
 
-  /** The next event; null if it is time to write what there is. */
+  /** The next event; null if it is time to write what there is, or to look at the jobs. */
   private @Nullable Event next() throws InterruptedException {
-    if (file.isPending()) {
-      return events.poll(flushAt - clock.now(), TimeUnit.NANOSECONDS);
-    }
-    Event event = events.take();
-    flushAt = clock.now() + FLUSH;
-    return event;
+    long due = file.isPending() ? Math.min(flushAt, jobs.due()) : jobs.due();
+    return events.poll(due - clock.now(), TimeUnit.NANOSECONDS);
   }
 
   private void take(Event event) throws IOException {
@@ -263,6 +283,10 @@ public final class McapRecorder implements AutoCloseable {
               event.variable(), any -> file.channel(topic.name(), Form.json(topic)));
       write(channel, event.time(), topic.message(event.time(), event.value()));
     }
+  }
+
+  private void write(Topic topic, long time, Map<String, Object> content) throws IOException {
+    write(new Event.Value(topic.equals(Topic.JOBS) ? JOBS : TURNS, time, content), topic);
   }
 
   private void write(int channel, long time, byte[] message) throws IOException {

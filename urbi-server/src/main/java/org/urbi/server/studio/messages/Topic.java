@@ -18,8 +18,8 @@ import urbi.media.MediaException;
 import urbi.media.Picture;
 
 /**
- * A sequence of messages of one kind: those of a variable, of the log, or of the jobs. They are
- * JSON objects, with a JSON schema.
+ * A sequence of messages of one kind: those of a variable, of the log, of the jobs, or of their
+ * turns. They are JSON objects, with a JSON schema.
  *
  * @param path the name of the variable
  * @param kind of its values
@@ -71,6 +71,33 @@ public record Topic(String path, VariableKind kind) {
   /** The jobs that there are; no variable has that path. */
   public static final Topic JOBS = new Topic("/jobs", VariableKind.DICTIONARY);
 
+  private static final String NUMBER = "{\"type\":\"number\"}";
+  private static final String INTEGER = "{\"type\":\"integer\"}";
+
+  private static final String TURNS_SCHEMA =
+      "{\"title\":\"urbi.Turns\",\"type\":\"object\",\"properties\":{\"machine\":"
+          + NUMBER
+          + ",\"lostUntil\":"
+          + NUMBER
+          + ",\"traced\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"properties\":{\"job\":"
+          + INTEGER
+          + ",\"since\":"
+          + NUMBER
+          + "}}},\"turns\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"properties\":{\"job\":"
+          + INTEGER
+          + ",\"begin\":"
+          + NUMBER
+          + ",\"end\":"
+          + NUMBER
+          + ",\"waited\":"
+          + TEXT
+          + ",\"wakers\":{\"type\":\"array\",\"items\":"
+          + INTEGER
+          + "},\"ended\":{\"type\":\"boolean\"}}}}}}";
+
+  /** The turns that jobs have had; no variable has that path. */
+  public static final Topic TURNS = new Topic("/turns", VariableKind.DICTIONARY);
+
   private static final int INFO = 2;
   private static final int WARNING = 3;
   private static final int ERROR = 4;
@@ -110,6 +137,9 @@ public record Topic(String path, VariableKind kind) {
     if (equals(JOBS)) {
       return "urbi.Jobs";
     }
+    if (equals(TURNS)) {
+      return "urbi.Turns";
+    }
     return kind == VariableKind.IMAGE
         ? "foxglove.CompressedImage"
         : "urbi." + kind.name().charAt(0) + kind.name().substring(1).toLowerCase(Locale.ROOT);
@@ -122,6 +152,9 @@ public record Topic(String path, VariableKind kind) {
     }
     if (equals(JOBS)) {
       return JOBS_SCHEMA;
+    }
+    if (equals(TURNS)) {
+      return TURNS_SCHEMA;
     }
     if (kind == VariableKind.IMAGE) {
       return IMAGE;
@@ -161,8 +194,8 @@ public record Topic(String path, VariableKind kind) {
     if (kind == VariableKind.IMAGE && value instanceof Bytes image) {
       return Json.object(out -> writeImage(out, time, image));
     }
-    if (equals(JOBS) && value instanceof Map<?, ?> jobs) {
-      return Json.object(jobs);
+    if ((equals(JOBS) || equals(TURNS)) && value instanceof Map<?, ?> content) {
+      return Json.object(content);
     }
     return Json.object(out -> {
       out.writeFieldName("value");

@@ -1,17 +1,21 @@
 package org.urbi.server.studio.mcap;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Proxy;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.AbstractList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -20,19 +24,33 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.job.Turn;
+import org.urbi.kernel.job.Wait;
+import org.urbi.kernel.observe.JobRow;
+import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.TurnView;
 import org.urbi.kernel.observe.VariableKind;
 import org.urbi.kernel.observe.VariableListener;
+import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.server.TestTimeout;
 
-/** The thread that writes the file fails: who records is told, and nobody waits. */
+/**
+ * What is written of the jobs; and if the thread that writes fails, who records is told, and nobody
+ * waits.
+ */
 class McapRecorderTest {
   /** The length of what a file in this format begins and ends with. */
   private static final int MAGIC = 8;
+
+  /** A look at the jobs that the kernel was asked for. */
+  private record Look(ViewRequest wanted, CompletableFuture<View> answer) {}
 
   @TempDir Path folder;
 
   private final LinkedBlockingQueue<String> log = new LinkedBlockingQueue<>();
   private final CountDownLatch broken = new CountDownLatch(1);
+  private final LinkedBlockingQueue<Look> looks = new LinkedBlockingQueue<>();
   private @Nullable VariableListener listener;
   private boolean isClosed;
 
@@ -47,12 +65,18 @@ class McapRecorderTest {
                 listener = (VariableListener) arguments[0];
               }
               isClosed |= method.getName().equals("close");
+              if (method.getName().equals("look")) {
+                Look look = new Look((ViewRequest) arguments[0], new CompletableFuture<>());
+                looks.add(look);
+                return look.answer;
+              }
               return null;
             });
   }
 
   private McapRecorder recorder(Path path) throws Exception {
-    return new McapRecorder(path, client -> connection(), List.of(), log::add, broken::countDown);
+    return new McapRecorder(
+        path, client -> connection(), List.of(), true, log::add, broken::countDown);
   }
 
   private void endsAndTells(McapRecorder recorder, String reason) throws Exception {
@@ -105,6 +129,7 @@ class McapRecorderTest {
                     path,
                     client -> connection(),
                     List.of(),
+                    true,
                     log::add,
                     broken::countDown,
                     refused)));
@@ -113,5 +138,86 @@ class McapRecorderTest {
     byte[] written = Files.readAllBytes(path);
     byte[] magic = Arrays.copyOf(written, MAGIC);
     assertArrayEquals(magic, Arrays.copyOfRange(written, written.length - MAGIC, written.length));
+  }
+
+  private static View view(
+      List<JobRow> jobs, List<Long> gone, List<TagRow> tags, TurnView turns, boolean complete) {
+    return new View(
+        5_000_000_000L, 0, 0, 2, jobs, gone, tags, List.of(), turns, null, null, null, complete);
+  }
+
+  private static JobRow job(long number, String name, long... tags) {
+    List<Long> under = Arrays.stream(tags).boxed().toList();
+    return new JobRow(number, name, 1, "lobby", "event", false, "a.u:1", "at (e?)", under, 0);
+  }
+
+  private String written(Path path) throws Exception {
+    return Files.readString(path, StandardCharsets.ISO_8859_1);
+  }
+
+  @Test
+  void jobsAndTheirTurnsAreInTheFile() throws Exception {
+    Path path = folder.resolve("run.mcap");
+    McapRecorder recorder = recorder(path);
+    Look first = looks.take();
+    assertTrue(first.wanted.traced().isEmpty());
+    TurnView none = new TurnView(List.of(), 0, null);
+    first.answer.complete(view(List.of(job(3, "worker", 7)), List.of(), List.of(), none, false));
+    Look second = looks.take();
+    assertEquals(List.of(3L), second.wanted.traced(), "its turns are wanted from now on");
+    TagRow tag = new TagRow(7, "mine", false, false);
+    Turn turn = new Turn(3, List.of(2L, 1L), 1_500_000_000L, 1_750_000_000L, Wait.EVENT, true);
+    TurnView turns = new TurnView(List.of(turn), 1_250_000_000L, Map.of(3L, 1_000_000_000L));
+    second.answer.complete(view(List.of(job(4, "other")), List.of(), List.of(tag), turns, true));
+    looks.take();
+    recorder.close();
+    String bytes = written(path);
+    assertTrue(bytes.contains("urbi.Jobs") && bytes.contains("urbi.Turns"), bytes);
+    assertTrue(bytes.contains("\"total\":2.0"), bytes);
+    assertTrue(bytes.contains("\"name\":\"worker\""), bytes);
+    assertTrue(bytes.contains("\"tags\":[\"mine\"]"), bytes);
+    String told =
+        "{\"machine\":5.0,\"lostUntil\":1.25,\"traced\":[{\"job\":3.0,\"since\":1.0}],"
+            + "\"turns\":[{\"job\":3.0,\"begin\":1.5,\"end\":1.75,\"waited\":\"event\","
+            + "\"wakers\":[2.0,1.0],\"ended\":true}]}";
+    assertTrue(bytes.contains(told), bytes);
+  }
+
+  /** What was seen and not yet written is not lost, and the kernel is not asked again for it. */
+  @Test
+  void whatWasSeenBeforeTheEndIsWritten() throws Exception {
+    Path path = folder.resolve("run.mcap");
+    McapRecorder recorder = recorder(path);
+    TurnView none = new TurnView(List.of(), 0, null);
+    looks.take().answer.complete(view(List.of(job(3, "late")), List.of(), List.of(), none, true));
+    recorder.close();
+    assertTrue(written(path).contains("\"name\":\"late\""));
+    assertTrue(log.isEmpty(), log::toString);
+  }
+
+  /** A kernel that is busy, or a disk that is slow, is asked for one look, not for many. */
+  @Test
+  void thereIsOneLookAtATime() throws Exception {
+    Path path = folder.resolve("run.mcap");
+    McapRecorder recorder = recorder(path);
+    Look unanswered = looks.take();
+    listener.appeared(1, "Global.x", VariableKind.NUMBER);
+    listener.value(1, 0, 1.0);
+    // It is in the file a second later: until then the look was due again many times.
+    while (!written(path).contains("/Global/x")) {
+      Thread.onSpinWait();
+    }
+    assertTrue(looks.isEmpty(), "one look at a time");
+    unanswered.answer.cancel(false);
+    recorder.close();
+    assertTrue(log.isEmpty(), "that the connection was closed is no failure");
+  }
+
+  @Test
+  void aDefectInLookingIsTold() throws Exception {
+    McapRecorder recorder = recorder(folder.resolve("run.mcap"));
+    listener.appeared(1, "Global.x", VariableKind.ANY);
+    looks.take().answer.completeExceptionally(new IllegalStateException("as if of ours"));
+    endsAndTells(recorder, "internal error");
   }
 }
