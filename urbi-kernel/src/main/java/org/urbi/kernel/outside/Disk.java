@@ -26,7 +26,9 @@ public final class Disk {
   /** How many bytes are read at most of something that is not a regular file. */
   private static final int LARGEST_DEVICE = 1 << 26;
 
-  /** How many bytes are written at a time: the JDK copies them before. */
+  /**
+   * How many bytes are written at a time: the JDK copies them before it gives them to a channel.
+   */
   private static final int CHUNK = 1 << 16;
 
   private final Outside outside;

@@ -278,15 +278,25 @@ public final class Outside implements Closeable {
 
   /** Work that the job no longer waits for is let go, if it may last for ever. */
   private Outcome awaited(PendingAnswer answer, OutsideWork<?> work) {
-    boolean over = false;
     try {
-      Outcome outcome = answer.await();
-      over = true;
-      return outcome;
-    } finally {
-      if (!over && work.mayBeLetGo()) {
-        start(work::letGo);
+      return answer.await();
+    } catch (Throwable stop) {
+      if (work.mayBeLetGo()) {
+        letGo(work, stop);
       }
+      throw stop;
+    }
+  }
+
+  private void letGo(OutsideWork<?> work, Throwable stop) {
+    try {
+      start(() ->
+          Outcome.of(() -> {
+            work.letGo();
+            return null;
+          }));
+    } catch (OutOfMemoryError e) {
+      stop.addSuppressed(e);
     }
   }
 

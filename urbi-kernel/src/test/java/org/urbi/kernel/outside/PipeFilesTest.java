@@ -1,10 +1,12 @@
 package org.urbi.kernel.outside;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -51,6 +53,26 @@ class PipeFilesTest {
         .anyMatch(frame -> frame.getClassName().equals(OutsideWork.class.getName()));
   }
 
+  private void beginsAndIsLetGo(String code) {
+    client.connection().send(code);
+    while (!isAtWork()) {
+      assertEquals("1", other.say("1;"));
+    }
+    client.say("t.stop;");
+    assertEquals("2", other.say("2;"));
+    while (isAtWork()) {
+      assertEquals("3", other.say("3;"));
+    }
+  }
+
+  @Test
+  void whatIsLetGoBeforeItBeginsDoesNotBegin() throws Exception {
+    OutsideWork<Integer> work =
+        new OutsideWork<>(Confinement.none(), folder.resolve("pipe"), () -> 1);
+    work.letGo();
+    assertThrows(InterruptedIOException.class, work::call);
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -61,17 +83,9 @@ class PipeFilesTest {
         "File.new(pipe).content",
         "File.new(pipe).asList",
         "InputStream.new(File.new(pipe)).getLine",
-        "load(pipe)",
-        "loadFile(pipe)",
       })
   void whoWaitsAtAPipeHoldsNobody(String code) {
-    client.connection().send("t: { " + code + " },\n");
-    assertEquals("1", other.say("1;"));
-    client.say("t.stop;");
-    assertEquals("2", other.say("2;"));
-    while (isAtWork()) {
-      assertEquals("3", other.say("3;"));
-    }
+    beginsAndIsLetGo("t: { " + code + " },\n");
   }
 
   /** Somebody is at the other end, and is silent. */
@@ -80,14 +94,7 @@ class PipeFilesTest {
     Process silent =
         new ProcessBuilder("sh", "-c", "exec sleep inf >" + folder.resolve("pipe")).start();
     try {
-      client.connection().send("t: File.new(pipe).content,\n");
-      while (!isAtWork()) {
-        assertEquals("1", other.say("1;"));
-      }
-      client.say("t.stop;");
-      while (isAtWork()) {
-        assertEquals("2", other.say("2;"));
-      }
+      beginsAndIsLetGo("t: File.new(pipe).content,\n");
     } finally {
       silent.destroy();
       silent.waitFor();
@@ -99,14 +106,7 @@ class PipeFilesTest {
     Process silent =
         new ProcessBuilder("sh", "-c", "exec sleep inf <" + folder.resolve("pipe")).start();
     try {
-      client.connection().send("t: File.save(pipe, \"x\" * 1000000),\n");
-      while (!isAtWork()) {
-        assertEquals("1", other.say("1;"));
-      }
-      client.say("t.stop;");
-      while (isAtWork()) {
-        assertEquals("2", other.say("2;"));
-      }
+      beginsAndIsLetGo("t: File.save(pipe, \"x\" * 1000000),\n");
     } finally {
       silent.destroy();
       silent.waitFor();
