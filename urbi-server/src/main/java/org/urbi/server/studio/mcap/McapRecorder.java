@@ -243,6 +243,7 @@ public final class McapRecorder implements AutoCloseable {
 
   private void end(String reason) {
     failed = true;
+    connection.lookNoMore();
     lost.addAndGet(events.size());
     events.clear();
     log.accept("mcap: " + path + ": " + reason + "; the recording ends here");
