@@ -15,7 +15,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.job.JobThreads;
 
 /**
- * Jobs that wait inside Java, as for a lock of the JDK, go on even if the wait ends as it begins.
+ * Jobs that wait inside Java, as for a lock of the JDK, and the kernel with them, go on even if the
+ * wait ends as it begins.
  */
 class JobLockTest {
   private static final int TURNS = 200_000;
@@ -53,6 +54,10 @@ class JobLockTest {
       behind.start();
       awaitBlocked(() -> behind);
       closer.start();
+      while (closer.getState() != Thread.State.WAITING
+          && closer.getState() != Thread.State.TIMED_WAITING) {
+        Thread.onSpinWait();
+      }
     }
     closer.join();
     behind.join();

@@ -176,19 +176,25 @@ final class TickLoopThread implements JobThread, Executor, Runnable {
     }
     long begun = keeping ? job.scheduler().machine().now() : 0;
     resumed = false;
-    KernelThreadPin.unpin();
     try {
-      // Hands the continuation to execute(), and returns when the loop has run it again.
-      Thread.yield();
+      yieldUnpinned();
     } catch (StackOverflowError e) {
-      KernelThreadPin.pin();
       refused(begun, e);
       return;
     }
-    KernelThreadPin.pin();
     job.forgetCalls();
     if (!resumed) {
       throw new IllegalStateException("a job cannot wait inside a native call");
+    }
+  }
+
+  /** Hands the continuation to {@link #execute}, and returns when the loop has run it again. */
+  private static void yieldUnpinned() {
+    KernelThreadPin.unpin();
+    try {
+      Thread.yield();
+    } finally {
+      KernelThreadPin.pin();
     }
   }
 
