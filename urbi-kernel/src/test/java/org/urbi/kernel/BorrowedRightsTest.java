@@ -174,7 +174,9 @@ class BorrowedRightsTest extends RolesFixture {
     assertEquals("1", owner.say("robot.plain;"));
   }
 
-  /** What stands in the call is evaluated by who has written the function, if that may do less. */
+  /**
+   * What stands in the call has the rights of the caller, unless the function's writer may do less.
+   */
   @Test
   void lazyFunctionsOfAnOwnerEvaluateArgumentsWithTheRightsOfTheCaller() {
     owner.say("var Global.echoing = function { call.evalArgs[0] }|;");

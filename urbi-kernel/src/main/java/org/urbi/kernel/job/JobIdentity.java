@@ -52,8 +52,8 @@ public final class JobIdentity {
   }
 
   /**
-   * Whether that lobby may do less than the job: its code must not hold up the job, or end it, when
-   * the job sets it off.
+   * Whether that lobby may do less than the job: its code must not hold up the job, end it, or have
+   * its rights, when the job sets it off.
    */
   public boolean isAbove(UrbiObject other) {
     return RoleHolder.roleOf(other).compareTo(role) < 0;

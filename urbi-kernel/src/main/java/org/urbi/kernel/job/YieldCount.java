@@ -69,7 +69,7 @@ public final class YieldCount {
    * Lends all that are left of the grant to a loop, which counts them by itself. It gives back what
    * it has not used before anybody else may ask, or end the grant; unless it has used them all.
    *
-   * @return how many; none if there are news
+   * @return how many; none if none are left, or if there are news
    */
   public int borrow() {
     lent = 0;
@@ -86,7 +86,8 @@ public final class YieldCount {
    * @param rest how many have not been used
    */
   public void giveBack(int rest) {
-    // If the machine has failed in the loop, the grant may have ended since.
+    // If the stack or the memory was exhausted in the loop, it has not come here, and the grant may
+    // have ended since: so many cycles at most are not counted then.
     left += Math.min(rest, lent);
     lent = 0;
   }

@@ -18,7 +18,7 @@ import org.urbi.kernel.log.FailureLog;
  */
 public final class RecordingWriter implements AutoCloseable {
   /** What a recording begins with; the last octet is the version of the format. */
-  static final byte[] MAGIC = {'U', 'R', 'B', 'I', 'R', 'U', 'N', 4};
+  static final byte[] MAGIC = {'U', 'R', 'B', 'I', 'R', 'U', 'N', 5};
 
   /** A block is its length, its CRC-32C, and whole entries. */
   static final int BLOCK_HEADER = 8;

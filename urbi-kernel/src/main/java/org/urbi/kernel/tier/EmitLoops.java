@@ -351,7 +351,10 @@ final class EmitLoops {
     to.code.labelBinding(over);
   }
 
-  /** Emits {@code ;}; jumps if there was nothing to do. */
+  /**
+   * Emits {@code ;}; jumps if there was nothing to do. Borrowing is seldom, and goes the way of
+   * those that let others run, which the inner loop is better off without.
+   */
   private void yieldToOthers(Label passed) {
     Label over = to.code.newLabel();
     if (to.isCounting()) {

@@ -501,7 +501,7 @@ class RecordedRunTest {
     bytes[7] = 9;
     Files.write(recording, bytes);
     String message = assertThrows(RecordingException.class, () -> replay(recording)).getMessage();
-    assertTrue(message.startsWith("has version 9 of the format, not 4"), message);
+    assertTrue(message.startsWith("has version 9 of the format, not 5"), message);
   }
 
   /** A full disk is told of once, and the run goes on. */
