@@ -466,11 +466,11 @@ class SimulatedRobotTest {
     client.answers("wheel.val = 0;");
     awaitAnswer(client, "wheelL.val.abs < 0.01", "true");
     awaitAnswer(client, "(robot.body.accel[z].val - 9.81).abs < 0.5", "true");
-    // What the sonar is to see stays in its beam, which passes above a ball on the floor.
+    // What the sonar is to see stays in its beam. The ball is beside it: its top is just as high.
     client.answers(
         """
         var Global.x = s.world.position("body")[0]|;
-        s.world.move("ball", 0, 0, 0)|; s.world.place("ball", x + 1, 0, 0.06)|;
+        s.world.move("ball", 0, 0, 0)|; s.world.place("ball", x + 1, 0.15, 0.06)|;
         s.world.place("north", x + 1.2, 0, 0.1)|;
         """);
     // The robot may have rolled on for as long as it took its wheels to hear that they should stop.
