@@ -52,11 +52,19 @@ public final class JobIdentity {
   }
 
   /**
-   * Whether that lobby may do less than the job: its code must not hold up the job, end it, or have
-   * its rights, when the job sets it off.
+   * Whether that lobby may do less than the job: its code must not hold up the job, or end it, when
+   * the job sets it off.
    */
   public boolean isAbove(UrbiObject other) {
     return RoleHolder.roleOf(other).compareTo(role) < 0;
+  }
+
+  /**
+   * Whether unevaluated arguments of the job's code may be evaluated for that lobby: they must not
+   * have the permissions of a more privileged one, which only code of that lobby may have.
+   */
+  public boolean mayLendArgumentsTo(UrbiObject other) {
+    return role == Role.OWNER || isAbove(other);
   }
 
   /** From now on the job runs for another lobby; its budget remains. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -276,19 +275,14 @@ public final class Function extends Code {
         : execute(caller, site, self, locals);
   }
 
-  /**
-   * Runs a lazy function. The arguments of the caller, which it evaluates, must not run with the
-   * permissions of a more privileged lobby: only one that may do less gives the job its own.
-   */
+  /** Runs a lazy function, for its lobby if that may have the arguments of the caller. */
   UrbiObject runLazily(Frame caller, CallSite site, UrbiObject self) {
     UrbiObject[] locals = body.layout.newLocals();
-    return boundLobby != null && mayBecome(caller.job, boundLobby)
+    return boundLobby != null
+            && boundLobby != caller.job.lobby()
+            && caller.job.identity().mayLendArgumentsTo(boundLobby)
         ? runFor(boundLobby, caller, site, self, locals)
         : runProfiled(caller, site, self, locals);
-  }
-
-  private static boolean mayBecome(Job job, UrbiObject lobby) {
-    return job.lobby() != lobby && (job.isOwner() || job.identity().isAbove(lobby));
   }
 
   private UrbiObject runFor(

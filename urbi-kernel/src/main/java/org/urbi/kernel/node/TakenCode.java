@@ -53,13 +53,10 @@ public final class TakenCode extends Code {
         : code.call(caller, site, self, arguments);
   }
 
-  /**
-   * Whether the call makes the job run for the lobby. Lazy arguments of the caller must not run
-   * with the permissions of a more privileged lobby.
-   */
+  /** Whether the call makes the job run for the lobby. */
   private boolean changesLobby(Frame caller) {
     return caller.job.lobby() != lobby
-        && (!isLazy() || caller.job.isOwner() || caller.job.identity().isAbove(lobby));
+        && (!isLazy() || caller.job.identity().mayLendArgumentsTo(lobby));
   }
 
   /** It belongs to whom the code belongs to. */
