@@ -53,7 +53,7 @@ final class ListenerQueue<T> {
     }
     queue.add(() -> deliver(message));
     if (!announced) {
-      // Not at once: this may be a job, whose thread must not wait for a lock.
+      // Once for all messages of the tick: to start a delivery takes a lock.
       scheduler.atEndOfTick(() -> {
         announced = false;
         start();

@@ -100,13 +100,9 @@ public final class StandardOutput implements ConsoleOutput {
     }
   }
 
-  /** Waits a little. A job must not be switched out here, so it spins. */
+  /** Waits a little. */
   private static void pause() {
-    if (Thread.currentThread().isVirtual()) {
-      Thread.onSpinWait();
-    } else {
-      LockSupport.parkNanos(PAUSE_NANOSECONDS);
-    }
+    LockSupport.parkNanos(PAUSE_NANOSECONDS);
   }
 
   private void write() {
