@@ -26,7 +26,7 @@ abstract class CodeWriter {
    * The helpers that execute no code of urbiscript, throw nothing, and let nobody else be able to
    * run; of those that loops call often.
    */
-  private static final Set<String> QUIET =
+  static final Set<String> QUIET =
       Set.of(
           "captured",
           "element",

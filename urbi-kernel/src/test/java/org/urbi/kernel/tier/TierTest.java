@@ -9,10 +9,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -43,6 +45,19 @@ class TierTest {
   @AfterEach
   void release() {
     System.setErr(before);
+  }
+
+  /** They are called by name, so who renames one would make loops give back what they need not. */
+  @Test
+  void quietHelpersAreHelpers() {
+    List<String> helpers = new ArrayList<>();
+    for (Class<?> each = CompiledCode.class; each != null; each = each.getSuperclass()) {
+      Stream.of(each.getDeclaredMethods())
+          .filter(method -> Modifier.isStatic(method.getModifiers()))
+          .forEach(method -> helpers.add(method.getName()));
+    }
+    assertEquals(
+        List.of(), CodeWriter.QUIET.stream().filter(name -> !helpers.contains(name)).toList());
   }
 
   /** Code that does nothing. */
