@@ -175,25 +175,14 @@ class CompletionTest {
   /** While the kernel is held, somebody asks and asks. */
   @Test
   void questionsThatOutrunTheAnswersAreAnsweredAtOnce() throws InterruptedException {
-    CountDownLatch held = new CountDownLatch(1);
-    CountDownLatch release = new CountDownLatch(1);
-    kernel.define(
-        "holdUp",
-        nothing -> {
-          held.countDown();
-          while (release.getCount() > 0) {
-            Thread.onSpinWait();
-          }
-          return null;
-        });
-    connection.send("holdUp;\n");
-    held.await();
+    KernelHold hold = new KernelHold(kernel);
+    hold.begin(connection);
     List<CompletableFuture<List<String>>> asked =
         IntStream.range(0, 100).mapToObj(i -> connection.complete("robot.headi")).toList();
     try {
       assertEquals(84, asked.stream().filter(CompletableFuture::isDone).count());
     } finally {
-      release.countDown();
+      hold.end();
     }
     assertEquals(List.of("heading"), asked.getFirst().join());
     assertEquals(List.of("heading"), complete("robot.headi"));

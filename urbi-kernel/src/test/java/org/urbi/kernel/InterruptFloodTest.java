@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -20,12 +19,10 @@ import org.urbi.kernel.trust.Role;
 class InterruptFloodTest {
   private static final int MANY = 100_000;
 
-  private final CountDownLatch held = new CountDownLatch(1);
-  private final CountDownLatch release = new CountDownLatch(1);
-
   @TempDir Path folder;
   private Path recording;
   private Kernel kernel;
+  private KernelHold hold;
   private TestClient holder;
   private TestClient impatient;
 
@@ -33,26 +30,16 @@ class InterruptFloodTest {
   void holdTheKernel() throws InterruptedException {
     recording = folder.resolve("run");
     kernel = Kernel.builder().log(line -> {}).record(recording).start();
-    kernel.define(
-        "hold",
-        nothing -> {
-          held.countDown();
-          // Whoever waits for something lets others run.
-          while (release.getCount() > 0) {
-            Thread.onSpinWait();
-          }
-          return null;
-        });
+    hold = new KernelHold(kernel);
     holder = new TestClient(kernel, Role.OWNER);
     impatient = new TestClient(kernel, Role.OWNER);
     assertEquals("1", impatient.say("1;"));
-    holder.connection().send("hold;\n");
-    held.await();
+    hold.begin(holder.connection());
   }
 
   @AfterEach
   void end() {
-    release.countDown();
+    hold.end();
     kernel.close();
   }
 
@@ -77,7 +64,7 @@ class InterruptFloodTest {
     for (int i = 0; i < MANY; i++) {
       impatient.connection().interrupt();
     }
-    release.countDown();
+    hold.end();
     assertEquals("2", impatient.say("2;"));
     assertEquals(1, taken());
   }
@@ -90,7 +77,7 @@ class InterruptFloodTest {
       impatient.connection().send("1;\n");
     }
     impatient.connection().interrupt();
-    release.countDown();
+    hold.end();
     impatient.say("2;");
     assertEquals(11, taken());
   }
@@ -98,7 +85,7 @@ class InterruptFloodTest {
   @Test
   void theNextOneIsHeardWhenTheFirstIsOver() throws IOException {
     impatient.connection().interrupt();
-    release.countDown();
+    hold.end();
     assertEquals("2", impatient.say("2;"));
     impatient.connection().send("sleep(inf);\n");
     impatient.connection().interrupt();

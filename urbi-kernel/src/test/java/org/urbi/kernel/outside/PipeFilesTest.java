@@ -88,25 +88,22 @@ class PipeFilesTest {
     beginsAndIsLetGo("t: { " + code + " },\n");
   }
 
-  /** Somebody is at the other end, and is silent. */
   @Test
-  void whoReadsAPipeWhoseWriterIsSilentIsLetGo() throws IOException, InterruptedException {
-    Process silent =
-        new ProcessBuilder("sh", "-c", "exec sleep inf >" + folder.resolve("pipe")).start();
-    try {
-      beginsAndIsLetGo("t: File.new(pipe).content,\n");
-    } finally {
-      silent.destroy();
-      silent.waitFor();
-    }
+  void whoReadsAPipeWhoseWriterIsSilentIsLetGo() throws Exception {
+    isLetGoBeside("sleep inf >", "File.new(pipe).content");
   }
 
   @Test
-  void whoWritesMoreThanAPipeHoldsIsLetGo() throws IOException, InterruptedException {
+  void whoWritesMoreThanAPipeHoldsIsLetGo() throws Exception {
+    isLetGoBeside("sleep inf <", "File.save(pipe, \"x\" * 1000000)");
+  }
+
+  /** Somebody is at the other end, and is silent. */
+  private void isLetGoBeside(String other, String code) throws Exception {
     Process silent =
-        new ProcessBuilder("sh", "-c", "exec sleep inf <" + folder.resolve("pipe")).start();
+        new ProcessBuilder("sh", "-c", "exec " + other + folder.resolve("pipe")).start();
     try {
-      beginsAndIsLetGo("t: File.save(pipe, \"x\" * 1000000),\n");
+      beginsAndIsLetGo("t: " + code + ",\n");
     } finally {
       silent.destroy();
       silent.waitFor();
