@@ -4,7 +4,6 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Kernel;
@@ -20,9 +19,9 @@ import org.urbi.web.Annexes;
 final class ServerServices implements HostServices, AutoCloseable {
   private final Settings settings;
   private final RecordedFile recorded = new RecordedFile();
+  private final VariablesFile variables = new VariablesFile(recorded);
   private @Nullable Kernel kernel;
   private @Nullable StudioServer studio;
-  private @Nullable McapRecorder recorder;
   private boolean closed;
 
   ServerServices(Settings settings) {
@@ -34,7 +33,7 @@ final class ServerServices implements HostServices, AutoCloseable {
     kernel = started;
   }
 
-  private Kernel kernel() throws IOException {
+  private synchronized Kernel kernel() throws IOException {
     if (closed) {
       throw new IOException("the server ends");
     }
@@ -77,56 +76,33 @@ final class ServerServices implements HostServices, AutoCloseable {
   }
 
   @Override
-  public synchronized void startMcap(Path file) throws IOException {
-    McapRecorder present = recorder;
-    if (present != null && present.goesOn()) {
-      throw new IOException("variables are being recorded already, to " + present.path());
-    }
+  public void startMcap(Path file) throws IOException {
     Kernel observed = kernel();
-    endRecording();
-    try {
-      McapRecorder begun =
-          new McapRecorder(
-              file,
-              client -> observed.connect(client, false),
-              settings.shown().paths(),
-              !settings.fast(),
-              settings.trace()::log,
-              () -> recorded.change(""));
-      recorder = begun;
-      recorded.change(file.toString());
-      // The disk may have ended it before that was told.
-      if (!begun.goesOn()) {
-        recorded.change("");
-      }
-    } catch (IOException e) {
-      String reason =
-          e instanceof NoSuchFileException ? "no such directory" : String.valueOf(e.getMessage());
-      throw new IOException("cannot write the recording " + file + ": " + reason, e);
-    }
+    variables.begin(
+        file,
+        () ->
+            new McapRecorder(
+                file,
+                client -> observed.connect(client, false),
+                settings.shown().paths(),
+                !settings.fast(),
+                settings.trace()::log,
+                () -> recorded.change("")));
   }
 
   @Override
-  public synchronized void stopMcap() throws IOException {
-    if (recorder == null) {
-      throw new IOException("no variables are being recorded");
-    }
-    endRecording();
+  public void stopMcap() throws IOException {
+    variables.complete();
   }
 
-  /** Completes the file of variables, if there is one. */
-  synchronized void endRecording() {
-    if (recorder != null) {
-      recorder.close();
-      recorder = null;
-      recorded.change("");
-    }
+  /** Completes the file of variables, if there is one, for the end of the process. */
+  void endRecording() {
+    variables.end();
   }
 
   @Override
   public synchronized void close() {
     closed = true;
-    endRecording();
     if (studio != null) {
       studio.close();
     }

@@ -264,6 +264,7 @@ class UrbiCommandTest {
             why(function () { System.startMcap("others.mcap") }).split(" to ")[0];
             System.stopMcap;
             why(function () { System.startMcap("no/such/values.mcap") }).split(": ")[1];
+            why(function () { System.startMcap(".") }).split(": ")[1];
             """);
     Result run = urbi("-q", "--record", "run", program);
     assertEquals(
@@ -272,7 +273,8 @@ class UrbiCommandTest {
         [] "invalid port: 77777"
         [] "no variables are being recorded"
         [] "variables are being recorded already,"
-        [] "no such directory"\
+        [] "no such directory"
+        [] "not a regular file"\
         """,
         run.out());
     byte[] file = Files.readAllBytes(folder.resolve("values.mcap"));

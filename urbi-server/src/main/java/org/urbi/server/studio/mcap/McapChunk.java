@@ -19,6 +19,12 @@ final class McapChunk {
   private final Map<Integer, List<Entry>> entries = new TreeMap<>();
   private long first = Long.MAX_VALUE;
   private long last;
+  private int messages;
+
+  /** How many messages it has so far. */
+  int messages() {
+    return messages;
+  }
 
   /** How many bytes it has so far. */
   int size() {
@@ -38,6 +44,7 @@ final class McapChunk {
    */
   void add(int channel, int sequence, long time, byte[] content) {
     entries.computeIfAbsent(channel, any -> new ArrayList<>()).add(new Entry(time, records.size()));
+    messages++;
     first = Math.min(first, time);
     last = Math.max(last, time);
     records.record(

@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
@@ -32,6 +34,9 @@ final class McapFile implements Closeable {
   private static final int SUMMARY_OFFSET = 0x0e;
   private static final int DATA_END = 0x0f;
 
+  /** How many bytes are written at a time, so that it can be told whether the disk takes any. */
+  private static final int PIECE = 1 << 16;
+
   /** A footer's opcode, its length, and its content without the checksum. */
   private static final int FOOTER_CONTENT = 2 * Long.BYTES + Integer.BYTES;
 
@@ -51,6 +56,11 @@ final class McapFile implements Closeable {
   private int channels;
   private int chunks;
   private long messages;
+
+  /** Read by those who wait for the thread that writes. */
+  private volatile long written;
+
+  private volatile int unwritten;
   private long first = Long.MAX_VALUE;
   private long last;
 
@@ -58,8 +68,13 @@ final class McapFile implements Closeable {
    * Begins a file; one that is there is overwritten.
    *
    * @param library what writes it
+   * @throws IOException if it cannot be written, or is no regular file: a pipe and a device may
+   *     have whoever writes wait for ever, and have no places, of which the summary tells
    */
   McapFile(Path path, String library) throws IOException {
+    if (Files.exists(path) && !Files.isRegularFile(path)) {
+      throw new FileSystemException(path.toString(), null, "not a regular file");
+    }
     file =
         FileChannel.open(
             path,
@@ -129,6 +144,7 @@ final class McapFile implements Closeable {
     long count = counts.merge(channel, 1L, Long::sum);
     chunk.add(channel, (int) count, time, content);
     messages++;
+    unwritten = chunk.messages();
     first = Math.min(first, time);
     last = Math.max(last, time);
     if (chunk.size() >= LARGE) {
@@ -154,6 +170,7 @@ final class McapFile implements Closeable {
       chunkIndexes.raw(index.toBytes());
       chunks++;
       chunk = new McapChunk();
+      unwritten = 0;
     }
   }
 
@@ -163,7 +180,9 @@ final class McapFile implements Closeable {
     ByteBuffer bytes = ByteBuffer.wrap(out.toBytes());
     try {
       while (bytes.hasRemaining()) {
-        file.write(bytes);
+        int count = file.write(bytes.slice(bytes.position(), Math.min(PIECE, bytes.remaining())));
+        bytes.position(bytes.position() + count);
+        written = before + bytes.position();
       }
     } catch (IOException e) {
       try {
@@ -175,9 +194,14 @@ final class McapFile implements Closeable {
     }
   }
 
-  /** How many messages there are. */
-  long messages() {
-    return messages;
+  /** How many bytes the disk has taken; from any thread. */
+  long written() {
+    return written;
+  }
+
+  /** How many messages have been added, and not written; from any thread. */
+  int unwritten() {
+    return unwritten;
   }
 
   /** Writes what is left, and the summary. */

@@ -2,6 +2,7 @@ package org.urbi.server.studio.mcap;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,6 +39,9 @@ public final class McapRecorder implements AutoCloseable {
 
   /** How much may wait for the disk, roughly in bytes. */
   private static final long MOST_WAITING = 64 << 20;
+
+  /** How long a disk that takes nothing is waited for at the end of the process. */
+  private static final Duration PATIENCE = Duration.ofSeconds(2);
 
   private static final int SMALL = 100;
   private static final int LOG = 0;
@@ -76,6 +80,7 @@ public final class McapRecorder implements AutoCloseable {
   private final Thread writer = FailureLog.THREADS.platform("urbi-mcap", this::run);
   private long flushAt;
   private volatile boolean failed;
+  private volatile boolean abandoned;
 
   /**
    * Begins to record.
@@ -128,11 +133,6 @@ public final class McapRecorder implements AutoCloseable {
       file.close();
       throw e;
     }
-  }
-
-  /** The file to which it records. */
-  public Path path() {
-    return path;
   }
 
   /** Whether it still records, and has not been ended by the disk. */
@@ -242,9 +242,12 @@ public final class McapRecorder implements AutoCloseable {
   }
 
   private void end(String reason) {
+    if (abandoned) {
+      return;
+    }
     failed = true;
     connection.lookNoMore();
-    lost.addAndGet(events.size());
+    lost.addAndGet(file.unwritten() + values());
     events.clear();
     log.accept("mcap: " + path + ": " + reason + "; the recording ends here");
     broken.run();
@@ -299,15 +302,59 @@ public final class McapRecorder implements AutoCloseable {
   /** Writes what is left, and the summary; may wait for the disk. */
   @Override
   public void close() {
-    connection.close();
-    events.add(new Event.End());
+    finish();
     try {
       writer.join();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    if (lost.get() > 0) {
-      log.accept("mcap: " + path + ": " + lost + " values were left out");
+    tellLost();
+  }
+
+  /**
+   * Like {@link #close}, as long as the disk takes something: one that hangs must not keep who ends
+   * the process, perhaps the kernel's thread.
+   */
+  public void closeOrAbandon() {
+    closeOrAbandon(PATIENCE);
+  }
+
+  /**
+   * @param patience for how long a disk may take nothing
+   */
+  void closeOrAbandon(Duration patience) {
+    finish();
+    try {
+      long before;
+      do {
+        before = file.written();
+      } while (!writer.join(patience) && file.written() != before);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (writer.isAlive()) {
+      abandoned = true;
+      // As long as it stands still.
+      lost.addAndGet(file.unwritten() + values());
+      writer.interrupt();
+      log.accept("mcap: " + path + ": the disk takes nothing; the recording is not complete");
+    }
+    tellLost();
+  }
+
+  private void finish() {
+    connection.close();
+    events.add(new Event.End());
+  }
+
+  private long values() {
+    return events.stream().filter(Event.Value.class::isInstance).count();
+  }
+
+  private void tellLost() {
+    long count = lost.getAndSet(0);
+    if (count > 0) {
+      log.accept("mcap: " + path + ": " + count + " values were left out");
     }
   }
 }

@@ -7,10 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.lang.reflect.Proxy;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.AbstractList;
 import java.util.Arrays;
 import java.util.List;
@@ -23,6 +25,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.job.Turn;
 import org.urbi.kernel.job.Wait;
@@ -219,5 +223,53 @@ class McapRecorderTest {
     listener.appeared(1, "Global.x", VariableKind.ANY);
     looks.take().answer.completeExceptionally(new IllegalStateException("as if of ours"));
     endsAndTells(recorder, "internal error");
+  }
+
+  /** What is no regular file may have whoever writes wait for ever. */
+  @ParameterizedTest
+  @ValueSource(strings = {"pipe", ".", "/dev/null"})
+  void onlyRegularFilesAreWritten(String name) throws Exception {
+    Path pipe = folder.resolve("pipe");
+    assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+    IOException refused = assertThrows(IOException.class, () -> recorder(folder.resolve(name)));
+    assertTrue(String.valueOf(refused.getMessage()).contains("not a regular file"));
+  }
+
+  /** Whoever ends the process does not wait for a disk that hangs. */
+  @Test
+  void whatHangsIsAbandonedAtTheEnd() throws Exception {
+    McapRecorder recorder = recorder(folder.resolve("run.mcap"));
+    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch interrupted = new CountDownLatch(1);
+    listener.appeared(1, "Global.x", VariableKind.ANY);
+    listener.value(
+        1,
+        0,
+        new AbstractList<>() {
+          @Override
+          public Object get(int index) {
+            begun.countDown();
+            try {
+              Thread.currentThread().join();
+            } catch (InterruptedException e) {
+              interrupted.countDown();
+              Thread.currentThread().interrupt();
+            }
+            return 1.0;
+          }
+
+          @Override
+          public int size() {
+            return 1;
+          }
+        });
+    listener.value(1, 1, 1.0);
+    listener.value(1, 2, 2.0);
+    begun.await();
+    recorder.closeOrAbandon(Duration.ZERO);
+    assertTrue(isClosed);
+    assertTrue(log.take().contains("the recording is not complete"));
+    assertTrue(log.take().contains("2 values were left out"));
+    interrupted.await();
   }
 }
