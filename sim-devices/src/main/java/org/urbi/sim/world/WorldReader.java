@@ -55,6 +55,10 @@ public final class WorldReader {
    * @throws SimulationException if it cannot be read, or has a mistake
    */
   public static SimulatedWorld read(Path file, @Nullable String engine) {
+    if (Files.exists(file) && !Files.isRegularFile(file)) {
+      // Whoever reads a pipe or a device may wait for ever: that would be the kernel.
+      throw new SimulationException(file + ": not a regular file");
+    }
     try {
       return read(file.getFileName().toString(), Files.readString(file), engine);
     } catch (NoSuchFileException e) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -150,6 +151,13 @@ class WorldReaderTest {
         missing + ": no such file",
         assertThrows(SimulationException.class, () -> WorldReader.read(missing, null))
             .getMessage());
+    Path pipe = folder.resolve("pipe.world");
+    assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+    for (Path odd : List.of(pipe, folder)) {
+      assertEquals(
+          odd + ": not a regular file",
+          assertThrows(SimulationException.class, () -> WorldReader.read(odd, null)).getMessage());
+    }
     Path binary = folder.resolve("binary.world");
     Files.write(binary, new byte[] {(byte) 0xff, (byte) 0xfe, 0});
     assertEquals(
