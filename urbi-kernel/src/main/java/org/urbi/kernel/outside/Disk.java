@@ -1,6 +1,5 @@
 package org.urbi.kernel.outside;
 
-import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -102,9 +101,7 @@ public final class Disk {
     if (Files.isRegularFile(path)) {
       return Files.readAllBytes(path);
     }
-    // Unlike the streams of Files, a channel can be interrupted when nobody waits for it any more.
-    try (InputStream in =
-        Channels.newInputStream(FileChannel.open(path, StandardOpenOption.READ))) {
+    try (InputStream in = waiting(path)) {
       byte[] bytes = in.readNBytes(LARGEST_DEVICE);
       if (bytes.length == LARGEST_DEVICE && in.read() >= 0) {
         throw new IOException(Problem.FILE_TOO_LARGE.text());
@@ -150,9 +147,19 @@ public final class Disk {
                 StandardOpenOption.APPEND)));
   }
 
-  /** Opens a file whose readers may have to wait, such as a pipe; null in a replay. */
+  /**
+   * Opens a file whose readers may have to wait, such as a pipe; null in a replay. When it is
+   * closed nobody waits any more.
+   */
   public @Nullable InputStream input(Path path) throws IOException {
-    return outside.open(() -> new FileInputStream(confinement().followed(path).toFile()));
+    return outside.open(() -> waiting(confinement().followed(path)));
+  }
+
+  /**
+   * Unlike other streams, a channel lets those go who wait when it is closed, or they interrupted.
+   */
+  private static InputStream waiting(Path path) throws IOException {
+    return Channels.newInputStream(FileChannel.open(path, StandardOpenOption.READ));
   }
 
   /** Opens for writing a file whose writers may have to wait, such as a pipe; null in a replay. */

@@ -100,14 +100,60 @@ class PipeFilesTest {
 
   /** Somebody is at the other end, and is silent. */
   private void isLetGoBeside(String other, String code) throws Exception {
+    beside(other, () -> beginsAndIsLetGo("t: " + code + ",\n"));
+  }
+
+  private void beside(String other, Runnable test) throws Exception {
     Process silent =
         new ProcessBuilder("sh", "-c", "exec " + other + folder.resolve("pipe")).start();
     try {
-      beginsAndIsLetGo("t: " + code + ",\n");
+      test.run();
     } finally {
       silent.destroy();
       silent.waitFor();
     }
+  }
+
+  /** Whether a thread reads ahead of a stream. */
+  private static boolean isReading() {
+    return Thread.getAllStackTraces().values().stream()
+        .flatMap(Arrays::stream)
+        .anyMatch(frame -> frame.getClassName().equals(PipeSource.class.getName()));
+  }
+
+  @Test
+  void aStreamThatIsClosedBesideASilentWriterLeavesNothing() throws Exception {
+    beside(
+        "sleep inf >",
+        () -> {
+          client.say("var stream = InputStream.new(File.new(pipe))|;");
+          client.connection().send("stream.getLine,\n");
+          while (!isReading()) {
+            Thread.onSpinWait();
+          }
+          client.say("stream.close;");
+          while (isReading()) {
+            assertEquals("1", other.say("1;"));
+          }
+        });
+  }
+
+  /** Somebody else might read on, so the stop of the job is not the end of the stream. */
+  @Test
+  void aStreamThatIsForgottenBesideASilentWriterLeavesNothing() throws Exception {
+    beside(
+        "sleep inf >",
+        () -> {
+          client.connection().send("t: InputStream.new(File.new(pipe)).getLine,\n");
+          while (!isReading()) {
+            Thread.onSpinWait();
+          }
+          client.say("t.stop;");
+          while (isReading()) {
+            System.gc();
+            assertEquals("1", other.say("1;"));
+          }
+        });
   }
 
   @Test

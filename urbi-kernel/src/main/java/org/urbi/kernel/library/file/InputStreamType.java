@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.file;
 
 import java.io.IOException;
+import java.lang.ref.Reference;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -45,13 +46,17 @@ public final class InputStreamType {
     FileAccess.checkNotPrototype(frame, site, self, "InputStream");
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();
-    ByteSource source =
-        files.isRegularFile(frame, site, name)
-            ? FileAccess.quickly(frame, site, name, () -> outside.disk().source(path))
-            : new PipeSource(
-                outside, files.openSlowly(frame, site, name, () -> outside.disk().input(path)));
-    outside.opened(source);
-    self.open(source);
+    if (files.isRegularFile(frame, site, name)) {
+      ByteSource source = FileAccess.quickly(frame, site, name, () -> outside.disk().source(path));
+      outside.opened(source);
+      self.open(source);
+    } else {
+      PipeSource source =
+          new PipeSource(
+              outside, files.openSlowly(frame, site, name, () -> outside.disk().input(path)));
+      outside.opened(source);
+      self.openPipe(source);
+    }
     return self;
   }
 
@@ -60,6 +65,9 @@ public final class InputStreamType {
       return self.channel(frame, site).read(frame.job());
     } catch (IOException e) {
       throw UrbiStream.failed(frame, site, e);
+    } finally {
+      // While somebody reads it is not forgotten.
+      Reference.reachabilityFence(self);
     }
   }
 
