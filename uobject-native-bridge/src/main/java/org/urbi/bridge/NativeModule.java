@@ -10,6 +10,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import urbi.UClass;
 import urbi.UContext;
@@ -49,7 +50,7 @@ public final class NativeModule implements AutoCloseable {
   /** This itself until it is closed, and each of its objects. */
   private final AtomicInteger users = new AtomicInteger(1);
 
-  private boolean closed;
+  private final AtomicBoolean closed = new AtomicBoolean();
 
   private NativeModule(Path file, Object fileKey, JnaLibrary library) {
     this.shown = file.getFileName().toString();
@@ -249,23 +250,27 @@ public final class NativeModule implements AutoCloseable {
   /** No more objects are made: it is unloaded as soon as there are none. */
   @Override
   public void close() {
-    synchronized (contexts) {
-      if (closed) {
-        return;
-      }
-      closed = true;
-      contexts.forEach(NativeContext::endHubs);
+    if (closed.getAndSet(true)) {
+      return;
     }
+    // Code in C++ may let others run, who load and call, too: no monitor is held.
+    inUse().forEach(NativeContext::endHubs);
     release();
+  }
+
+  private List<NativeContext> inUse() {
+    synchronized (contexts) {
+      return List.copyOf(contexts);
+    }
   }
 
   /** A library whose code a thread still executes stays loaded: what comes next is a copy of it. */
   private void unload() {
     boolean ended = true;
+    for (NativeContext each : inUse()) {
+      ended &= each.close();
+    }
     synchronized (contexts) {
-      for (NativeContext each : contexts) {
-        ended &= each.close();
-      }
       contexts.clear();
     }
     ended &= !threads.anyAlive();

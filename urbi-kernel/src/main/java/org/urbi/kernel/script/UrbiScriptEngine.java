@@ -6,9 +6,9 @@ import java.io.IOException;
 import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.io.Writer;
-import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import javax.script.AbstractScriptEngine;
 import javax.script.Bindings;
 import javax.script.Invocable;
@@ -36,7 +36,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
   private final UrbiScriptEngineFactory factory;
   private final Kernel kernel;
   private final UrbiValue globals;
-  private final Set<String> globalNames = new HashSet<>();
+  private final Set<String> globalNames = ConcurrentHashMap.newKeySet();
   private volatile Writer writer;
 
   UrbiScriptEngine(UrbiScriptEngineFactory factory) {
@@ -128,11 +128,20 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
     return kernel.embedding().eval(script, file, target, Object.class);
   }
 
-  /** Makes the variables of the manager visible, except those that cannot be converted. */
-  private synchronized void inherit(Bindings all) {
-    if (all == null || (all.isEmpty() && globalNames.isEmpty())) {
+  /**
+   * Makes the variables of the manager visible, except those that cannot be converted. No monitor
+   * is held: the kernel's thread may come here, too, for which the others wait.
+   */
+  private void inherit(@Nullable Bindings all) {
+    if (all == null) {
       return;
     }
+    for (String name : globalNames) {
+      if (!all.containsKey(name) && globalNames.remove(name)) {
+        globals.remove(name);
+      }
+    }
+    // After those that are gone: what another thread has put there meanwhile is there at the end.
     for (Map.Entry<String, Object> variable : all.entrySet()) {
       try {
         globals.set(variable.getKey(), variable.getValue());
@@ -141,13 +150,6 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
         // An object for other languages.
       }
     }
-    globalNames.removeIf(name -> {
-      if (all.containsKey(name)) {
-        return false;
-      }
-      globals.remove(name);
-      return true;
-    });
   }
 
   private static ScriptException scriptException(UrbiError e) {

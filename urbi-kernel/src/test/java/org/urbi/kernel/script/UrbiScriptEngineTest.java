@@ -5,12 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.StringReader;
 import java.io.StringWriter;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.FutureTask;
 import java.util.function.DoubleUnaryOperator;
 import javax.script.Bindings;
 import javax.script.ScriptContext;
@@ -23,6 +26,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
+import org.urbi.kernel.log.FailureLog;
 
 class UrbiScriptEngineTest {
   private final ScriptEngineManager manager = new ScriptEngineManager();
@@ -143,5 +147,33 @@ class UrbiScriptEngineTest {
   void afterTheEndThereIsAnException() {
     engine.close();
     assertThrows(ScriptException.class, () -> engine.eval("1"));
+  }
+
+  /** It is told that it must not, instead of waiting for a thread that waits for it. */
+  @Test
+  void theKernelsThreadIsRefusedWhileAnotherOneWaitsForIt() throws Exception {
+    manager.put("shared", "s");
+    FutureTask<Object> other = new FutureTask<>(() -> engine.eval("1", new SimpleBindings()));
+    engine
+        .kernel()
+        .define(
+            "nested",
+            none -> {
+              Thread waiting = FailureLog.THREADS.platform("waiting", other);
+              waiting.start();
+              while (!isInheriting(waiting)) {
+                Thread.onSpinWait();
+              }
+              return assertThrows(ScriptException.class, () -> engine.eval("2")).getMessage();
+            });
+    String refused = String.valueOf(engine.eval("nested()"));
+    assertTrue(refused.contains("the kernel thread cannot wait"), refused);
+    assertEquals(1.0, other.get());
+  }
+
+  private static boolean isInheriting(Thread waiting) {
+    return waiting.getState() != Thread.State.RUNNABLE
+        && Arrays.stream(waiting.getStackTrace())
+            .anyMatch(frame -> frame.getMethodName().equals("inherit"));
   }
 }

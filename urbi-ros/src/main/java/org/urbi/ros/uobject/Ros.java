@@ -1,10 +1,10 @@
 package org.urbi.ros.uobject;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.frames.FrameListener;
 import org.urbi.ros.graph.GraphSnapshot;
@@ -44,14 +44,14 @@ public final class Ros extends UObject implements AutoCloseable {
   private final UEvent onService = new UEvent();
   private final UEvent onServiceGone = new UEvent();
   private final UEvent onParam = new UEvent();
-  private final Map<String, String> remappings = new HashMap<>();
+  private final Map<String, String> remappings = new ConcurrentHashMap<>();
   private final NodeSettings.Maker maker;
   private final FirstUse node = new FirstUse();
 
   /** Of the recorded run, in a replay. */
   private final Map<String, String> environment = getUContext().environment();
 
-  private Dialect dialect = RosVersion.of(environment);
+  private volatile Dialect dialect = RosVersion.of(environment);
   private @Nullable FrameListener frames;
   private boolean watched;
 
@@ -129,7 +129,7 @@ public final class Ros extends UObject implements AutoCloseable {
   }
 
   /** Another version has its packages elsewhere; the version of a node that is there remains. */
-  public synchronized void choose() {
+  public void choose() {
     try {
       Dialect wanted = RosVersion.of("Ros.version", version.stringValue());
       if (wanted == dialect) {
@@ -139,6 +139,7 @@ public final class Ros extends UObject implements AutoCloseable {
         throw new RosException("the version is chosen before Ros is used");
       }
       dialect = wanted;
+      // Who hears of it may let others run, who use Ros, too: no monitor is held.
       packagePath.setValue(environment.getOrDefault(NodeSettings.packages(wanted), ""));
     } catch (RosException e) {
       told(String.valueOf(e.getMessage()));
@@ -165,7 +166,7 @@ public final class Ros extends UObject implements AutoCloseable {
     return node.ahead(settings(), this::begin).thenAccept(made -> {});
   }
 
-  private synchronized NodeSettings settings() {
+  private NodeSettings settings() {
     return new NodeSettings(
         dialect,
         nodeName.stringValue(),
@@ -316,7 +317,7 @@ public final class Ros extends UObject implements AutoCloseable {
   // ------------------------------------------------------------------ names and parameters
 
   /** Has a name mean another one; before the node is used. */
-  public synchronized void remap(String from, String to) {
+  public void remap(String from, String to) {
     if (node.used() != null) {
       throw new RosException("names are remapped before Ros is used");
     }

@@ -63,13 +63,36 @@ public final class RosActionServer extends UObject implements AutoCloseable {
         });
   }
 
-  private synchronized CompletionStage<Void> serve(Node node, String name, ActionType type) {
+  private CompletionStage<Void> serve(Node node, String name, ActionType type) {
+    checkOpen(name);
+    action = node.resolve(name);
+    ActionServer made = node.actions().serve(name, type, new Goals());
+    if (!keep(made)) {
+      made.close();
+      checkOpen(name);
+    }
+    return node.settled();
+  }
+
+  private synchronized void checkOpen(String name) {
     if (closed) {
       throw new RosException(name + " is not offered any more");
     }
-    action = node.resolve(name);
-    server = node.actions().serve(name, type, new Goals());
-    return node.settled();
+  }
+
+  private synchronized boolean keep(ActionServer made) {
+    if (!closed) {
+      server = made;
+    }
+    return !closed;
+  }
+
+  /** Returns what is to be closed, without the monitor: what hears of it may let others run. */
+  private synchronized @Nullable ActionServer retire() {
+    closed = true;
+    ActionServer known = server;
+    server = null;
+    return known;
   }
 
   private final class Goals implements ActionServer.Handler {
@@ -175,10 +198,8 @@ public final class RosActionServer extends UObject implements AutoCloseable {
 
   /** Ends the action, and the goals with it. */
   @Override
-  public synchronized void close() {
-    closed = true;
-    ActionServer known = server;
-    server = null;
+  public void close() {
+    ActionServer known = retire();
     if (known != null) {
       known.close();
     }

@@ -193,6 +193,22 @@ class FirstUseTest {
     Awaited.value(name);
   }
 
+  /** Who hears of a setting may let others run: those who use Ros do not hold the kernel then. */
+  @Test
+  void othersUseItWhileItIsChosen() throws Exception {
+    CompletableFuture<Object> chosen =
+        kernel.evalAsync(
+            """
+            var Global.heard = false|;
+            var Global.gate = false|;
+            Ros.&packagePath.notifyChange(closure () { heard = true| waituntil (gate) })|;
+            Ros.version = 1;
+            """);
+    kernel.eval("waituntil (heard)| Ros.remap(\"/a\", \"/b\")| gate = true;");
+    Awaited.value(chosen);
+    assertEquals(1, kernel.eval("Ros.version", int.class));
+  }
+
   @Test
   void whatIsChosenCountsUntilSomebodyUsesTheNode() throws Exception {
     CompletableFuture<Object> ahead = kernel.evalAsync("Ros.__ahead;");
