@@ -235,6 +235,8 @@ EOF
   cd heater && run_maven -o -q verify) >"$work/maven.log" 2>&1 || { cat "$work/maven.log" >&2; exit 1; }
 out=$("$unpacked/urbi" -q -m "$project/heater/target/heater.jar" -e 'Heater.add(2);' -e 'shutdown;' </dev/null | cut -c12-)
 equal 2 "$out" "a component that the archetype has made"
+say "the unit for systemd"
+scripts/package/systemd.sh "$unpacked"
 say "the extension for VS Code"
 unzip -q "$packages/urbiscript-$version.vsix" -d "$work/vsix"
 for file in package.json language-configuration.json syntaxes/{urbiscript,session,markdown}.tmLanguage.json snippets/urbiscript.json; do

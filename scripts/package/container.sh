@@ -6,7 +6,7 @@ image=$made/work/image
 layer=$image/layer
 mkdir -p "$layer"/{bin,etc,tmp,usr/bin,usr/lib,home/urbi} "$image/oci/blobs/sha256"
 cp -a "$made/work/$name" "$layer/usr/lib/urbi"
-rm -rf "$layer"/usr/lib/urbi/{docs,include,examples,share/man,share/zsh,share/bash-completion,share/emacs,share/doc}
+rm -rf "$layer"/usr/lib/urbi/{docs,include,examples,share/man,share/systemd,share/zsh,share/bash-completion,share/emacs,share/doc}
 # No links: to follow them takes readlink, which is not there.
 for program in urbi bin/urbi-send bin/urbi-launch bin/urbi-launch-java bin/umake-java bin/urbi-ping; do
   printf '#!/bin/sh\nexec /usr/lib/urbi/%s "$@"\n' "$program" >"$layer/usr/bin/${program##*/}"
