@@ -335,6 +335,8 @@ class ArchitectureTest {
           // Their secrets are for the one at the other end, and must not be guessed from a seed.
           .doNotHaveFullyQualifiedName("org.urbi.server.net.FrameDatagrams")
           .and()
+          .doNotHaveFullyQualifiedName("org.urbi.web.Downloads")
+          .and()
           .haveNameNotMatching("org\\.urbi\\.server\\.net\\.ModuleNetwork(\\$.*)?")
           .and()
           .haveNameNotMatching("urbi\\.remote\\.RemoteDatagrams(\\$.*)?")

@@ -19,6 +19,7 @@ import io.netty.handler.codec.http.HttpVersion;
 import io.netty.handler.codec.http.QueryStringDecoder;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -27,8 +28,9 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Serves the files of a page, which hold no secret, and passes on requests for the stream. Pages of
- * other sites in the same browser get neither: a request must come from this page, and name it.
+ * Serves the files of a page, which hold no secret, and passes on requests for the stream and for
+ * what is offered as a download. Pages of other sites in the same browser get none of them: a
+ * request must come from this page, and name it.
  */
 final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   /** The path of the stream. */
@@ -49,6 +51,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private final PageShelf shelf;
   private final HostNames names;
   private final String scheme;
+  private final Downloads downloads;
   private final Supplier<ChannelHandler> viewer;
   private final @Nullable Guests guests;
   private final @Nullable Entrance entrance;
@@ -57,6 +60,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
    * @param shelf has the files
    * @param names by which it may be asked for
    * @param tls whether it is served by TLS
+   * @param downloads what is offered besides
    * @param viewer makes what handles the stream of a browser
    * @param guests who else may come, or {@code null}
    * @param entrance to the annexes of the page, or {@code null}
@@ -66,6 +70,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       PageShelf shelf,
       HostNames names,
       boolean tls,
+      Downloads downloads,
       Supplier<ChannelHandler> viewer,
       @Nullable Guests guests,
       @Nullable Entrance entrance) {
@@ -73,6 +78,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     this.shelf = shelf;
     this.names = names;
     this.scheme = tls ? "https://" : "http://";
+    this.downloads = downloads;
     this.viewer = viewer;
     this.guests = guests;
     this.entrance = entrance;
@@ -95,6 +101,8 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       refuse(context, request);
     } else if (path.equals(STREAM)) {
       become(context, request, STREAM, null, page.longestMessage(), viewer.get());
+    } else if (path.startsWith(Downloads.FOLDER)) {
+      deliver(context, request, path);
     } else {
       Matcher inside = ANNEX.matcher(path);
       Annex annex =
@@ -109,6 +117,27 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       } else {
         serve(context, request, annex.page(), inside.group(2));
       }
+    }
+  }
+
+  /** Answers with a file that has been offered to whoever knows the path. */
+  private void deliver(ChannelHandlerContext context, FullHttpRequest request, String path) {
+    if (request.method() != HttpMethod.GET) {
+      answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
+      return;
+    }
+    try {
+      Path file = downloads.take(path, context.channel());
+      if (file == null) {
+        answer(
+            context, request, HttpResponseStatus.NOT_FOUND, ": it is offered once, for a minute");
+      } else {
+        context.pipeline().replace(this, null, new Delivery(file));
+      }
+    } catch (Refused e) {
+      answer(context, request, HttpResponseStatus.SERVICE_UNAVAILABLE, ": " + e.getMessage());
+    } catch (IOException e) {
+      answer(context, request, HttpResponseStatus.NOT_FOUND, ": the file cannot be read");
     }
   }
 

@@ -45,6 +45,7 @@ public final class PagePort implements AutoCloseable {
   private final boolean open;
   private final Places places = new Places();
   private final PageShelf shelf = new PageShelf();
+  private final Downloads downloads;
   private @Nullable Channel listening;
   private String scheme = "http";
   private String host = "";
@@ -59,11 +60,17 @@ public final class PagePort implements AutoCloseable {
     this.open = open;
     thread = NetworkLoop.group(name, StreamFailure::log);
     connections = new DefaultChannelGroup(thread.next());
+    downloads = new Downloads(thread.next(), places);
   }
 
   /** Who looks, and who waits for that; for the thread that serves all browsers. */
   public Places places() {
     return places;
+  }
+
+  /** What is offered to owners besides; for the same thread. */
+  public Downloads downloads() {
+    return downloads;
   }
 
   /** The thread that serves all browsers. */
@@ -111,7 +118,8 @@ public final class PagePort implements AutoCloseable {
                     serve(
                         channel,
                         page,
-                        new PageFiles(page, shelf, names, tls != null, viewer, guests, entrance));
+                        new PageFiles(
+                            page, shelf, names, tls != null, downloads, viewer, guests, entrance));
                   }
                 })
             .bind(address)

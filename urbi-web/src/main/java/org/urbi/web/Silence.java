@@ -26,7 +26,8 @@ final class Silence extends IdleStateHandler {
 
   @Override
   protected void channelIdle(ChannelHandlerContext context, IdleStateEvent event) {
-    if (event.state() != IdleState.READER_IDLE) {
+    // Whoever is sent a file has nothing to say.
+    if (event.state() != IdleState.READER_IDLE || context.pipeline().get(Delivery.class) != null) {
       return;
     }
     if (asked || !PagePort.isStream(context.channel())) {

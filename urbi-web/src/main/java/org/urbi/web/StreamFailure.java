@@ -7,6 +7,7 @@ import io.netty.handler.codec.PrematureChannelClosureException;
 import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
 import io.netty.handler.codec.http.websocketx.WebSocketHandshakeException;
+import io.netty.handler.timeout.TimeoutException;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 
@@ -18,9 +19,10 @@ public final class StreamFailure {
 
   /**
    * Closes the connection; the others are not concerned. Connections break, also within a message,
-   * and peers send what is malformed: that is nothing to tell. Whoever has sent too much at once is
-   * told how much it may be. Anything else is a defect of ours: it goes to the log of the process
-   * with its stack, and the other end is told "internal error".
+   * peers send what is malformed, or do not take what they asked for: that is nothing to tell.
+   * Whoever has sent too much at once is told how much it may be. Anything else is a defect of
+   * ours: it goes to the log of the process with its stack, and the other end is told "internal
+   * error".
    *
    * @param doing what failed, for the log
    */
@@ -54,6 +56,7 @@ public final class StreamFailure {
   private static boolean isOfTheOtherEnd(Throwable cause) {
     return cause instanceof IOException
         || cause instanceof DecoderException
+        || cause instanceof TimeoutException
         || cause instanceof PrematureChannelClosureException
         || cause instanceof WebSocketHandshakeException;
   }

@@ -43,6 +43,7 @@ class FarewellTest {
             new PageShelf(),
             new HostNames(true, "localhost", true),
             false,
+            new Downloads(channel.eventLoop(), new Places()),
             this::viewer,
             null,
             null));

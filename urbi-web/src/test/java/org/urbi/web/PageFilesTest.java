@@ -31,16 +31,18 @@ class PageFilesTest {
   private record Answer(int status, String encoding, String version, byte[] content) {}
 
   private Answer ask(boolean local, HttpMethod method, String file, String... headers) {
+    EmbeddedChannel channel = new EmbeddedChannel();
     PageFiles files =
         new PageFiles(
             PAGE,
             shelf,
             new HostNames(local, "localhost", true),
             false,
+            new Downloads(channel.eventLoop(), new Places()),
             ChannelInboundHandlerAdapter::new,
             null,
             null);
-    EmbeddedChannel channel = new EmbeddedChannel(files);
+    channel.pipeline().addLast(files);
     DefaultFullHttpRequest request =
         new DefaultFullHttpRequest(HttpVersion.HTTP_1_1, method, "/" + file);
     request.headers().set("host", "localhost");

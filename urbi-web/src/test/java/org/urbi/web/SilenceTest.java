@@ -38,6 +38,7 @@ class SilenceTest {
             new PageShelf(),
             new HostNames(true, "localhost", true),
             false,
+            new Downloads(channel.eventLoop(), new Places()),
             ChannelInboundHandlerAdapter::new,
             null,
             null));

@@ -1,10 +1,13 @@
 package org.urbi.tests.process;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.urbi.tests.process.StudioPage.line;
 import static org.urbi.tests.process.StudioPage.value;
 
+import java.io.InputStream;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -211,6 +214,18 @@ class StudioVariablesTest {
     String magic = "\u0089MCAP0\r\n";
     assertTrue(bytes.startsWith(magic) && bytes.endsWith(magic), "it is complete");
     assertTrue(bytes.contains("/motor/speed"), bytes);
+    downloads(browser, file);
+  }
+
+  private static void downloads(Browser browser, Path file) throws Exception {
+    browser.evaluate(
+        "HTMLAnchorElement.prototype.click = function () { window.offered = this.href };"
+            + "document.querySelector('#recordings button').click()");
+    String address =
+        browser.await("an address", "return window.offered", text -> text.contains("/download/"));
+    try (InputStream content = URI.create(address).toURL().openStream()) {
+      assertArrayEquals(Files.readAllBytes(file), content.readAllBytes());
+    }
   }
 
   private static void vanishes(Browser browser, JavaProcess urbi) throws Exception {

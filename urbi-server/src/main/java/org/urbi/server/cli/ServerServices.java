@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.library.system.HostServices;
 import org.urbi.server.options.Failure;
-import org.urbi.server.studio.RecordedFile;
+import org.urbi.server.studio.RecordedFiles;
 import org.urbi.server.studio.StudioServer;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.mcap.McapRecorder;
@@ -18,7 +18,7 @@ import org.urbi.web.Annexes;
 /** What one run of {@code urbi} does besides its consoles: the studio, and files of variables. */
 final class ServerServices implements HostServices, AutoCloseable {
   private final Settings settings;
-  private final RecordedFile recorded = new RecordedFile();
+  private final RecordedFiles recorded = new RecordedFiles();
   private final VariablesFile variables = new VariablesFile(recorded);
   private @Nullable Kernel kernel;
   private @Nullable StudioServer studio;
@@ -87,7 +87,7 @@ final class ServerServices implements HostServices, AutoCloseable {
                 settings.shown().paths(),
                 !settings.fast(),
                 settings.trace()::log,
-                () -> recorded.change("")));
+                recorded::end));
   }
 
   @Override

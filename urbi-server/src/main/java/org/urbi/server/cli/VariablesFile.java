@@ -5,7 +5,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.library.file.FileAccess;
-import org.urbi.server.studio.RecordedFile;
+import org.urbi.server.studio.RecordedFiles;
 import org.urbi.server.studio.mcap.McapRecorder;
 
 /**
@@ -18,7 +18,7 @@ final class VariablesFile {
     McapRecorder open() throws IOException;
   }
 
-  private final RecordedFile shown;
+  private final RecordedFiles shown;
 
   /** Null if nothing is recorded; before it is open, there is no recorder. */
   private @Nullable Path file;
@@ -29,7 +29,7 @@ final class VariablesFile {
   /**
    * @param shown tells others which file it is
    */
-  VariablesFile(RecordedFile shown) {
+  VariablesFile(RecordedFiles shown) {
     this.shown = shown;
   }
 
@@ -72,10 +72,10 @@ final class VariablesFile {
   /** Returns whether the run has ended meanwhile. */
   private synchronized boolean opened(Path wanted, McapRecorder begun) {
     recorder = begun;
-    shown.change(wanted.toString());
+    shown.begin(wanted);
     // The disk may have ended it before that was told.
     if (!begun.goesOn()) {
-      shown.change("");
+      shown.end();
     }
     return ended;
   }
@@ -123,7 +123,7 @@ final class VariablesFile {
     if (recorder == completed) {
       recorder = null;
       file = null;
-      shown.change("");
+      shown.end();
     }
   }
 }

@@ -7,6 +7,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Turn;
 import org.urbi.kernel.observe.JobDetail;
 import org.urbi.kernel.observe.JobRow;
@@ -15,6 +16,7 @@ import org.urbi.kernel.observe.TagRow;
 import org.urbi.kernel.observe.TurnView;
 import org.urbi.kernel.observe.VariableView;
 import org.urbi.kernel.observe.View;
+import org.urbi.server.studio.RecordedFiles.Recording;
 import org.urbi.web.Annex;
 
 /** What a browser is told, as JSON. */
@@ -61,9 +63,28 @@ final class Answer {
         });
   }
 
-  /** To which file variables are being recorded; empty if to none. */
-  static String recording(String file) {
-    return object("recording", out -> out.writeStringField("file", file));
+  /**
+   * To which file variables are being recorded, empty if to none, and those that can be downloaded.
+   */
+  static String recording(@Nullable Recording current, List<Recording> finished) {
+    return object(
+        "recording",
+        out -> {
+          out.writeStringField("file", current == null ? "" : current.path().toString());
+          out.writeArrayFieldStart("finished");
+          for (Recording each : finished) {
+            out.writeStartObject();
+            out.writeNumberField("number", each.number());
+            out.writeStringField("file", each.path().toString());
+            out.writeEndObject();
+          }
+          out.writeEndArray();
+        });
+  }
+
+  /** A file can be fetched at an address. */
+  static String offered(long id, String address) {
+    return done(id, out -> out.writeStringField("address", address));
   }
 
   /** Some text for people: an {@code error}, or {@code output}. */

@@ -75,6 +75,14 @@ sealed interface Request {
    */
   record Steer(long id, Steering.Action action, boolean tag, long target) implements Request {}
 
+  /**
+   * The address of a file to which variables were recorded is wanted.
+   *
+   * @param id by which the browser knows the answer
+   * @param recording its number
+   */
+  record Download(long id, int recording) implements Request {}
+
   /** What people want of code that they have written. */
   sealed interface OfCode extends Request {}
 
@@ -145,6 +153,7 @@ sealed interface Request {
       }
       case "assign" -> new Assign(fields.number("id"), fields.text("way"), fields.text("value"));
       case "show" -> new Show(fields.number("id"), fields.text("way"));
+      case "download" -> new Download(fields.number("id"), fields.integer("recording"));
       case "run" -> new Run(fields.number("id"), fields.text("file"), fields.code("code"));
       case "stop" -> new Stop(fields.number("id"), fields.integer("run"));
       case "check" -> new Check(fields.number("id"), fields.code("code"));
@@ -170,8 +179,8 @@ sealed interface Request {
       }
       default ->
           throw fields.refusal(
-              "type: interest, steer, reactions, emit, variables, plot, assign, show, run, stop,"
-                  + " check, complete, files, open or save expected");
+              "type: interest, steer, reactions, emit, variables, plot, assign, show, download,"
+                  + " run, stop, check, complete, files, open or save expected");
     };
   }
 

@@ -43,7 +43,7 @@ public final class StudioServer implements AutoCloseable {
    * @param shown what programs that speak Foxglove's protocol are shown, and who they may be
    * @param folders the files that people edit
    * @param annexes the pages of the components in this server
-   * @param recorded to which file variables are being recorded
+   * @param recorded the files to which variables are recorded
    * @throws IOException if it cannot listen there, or TLS cannot be had; the message says why
    */
   public StudioServer(
@@ -53,7 +53,7 @@ public final class StudioServer implements AutoCloseable {
       Shown shown,
       Folders folders,
       Annexes annexes,
-      RecordedFile recorded,
+      RecordedFiles recorded,
       Trace trace)
       throws IOException {
     this.accessPolicy = accessPolicy;
@@ -75,7 +75,15 @@ public final class StudioServer implements AutoCloseable {
           PAGE,
           () ->
               new Viewer(
-                  admission, lobbies, syntax, folders, fileWorker, annexes, recorded, instance),
+                  admission,
+                  lobbies,
+                  syntax,
+                  folders,
+                  fileWorker,
+                  annexes,
+                  recorded,
+                  port.downloads(),
+                  instance),
           programs,
           new Entrance(annexes, annex -> new AnnexGate(admission, annex)));
     } catch (IOException e) {

@@ -28,6 +28,7 @@ import org.urbi.server.studio.access.StreamHandler;
 import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.messages.JobTable;
 import org.urbi.web.Annexes;
+import org.urbi.web.Downloads;
 
 /**
  * A browser. When it has been let in, it has a connection to the kernel, with a lobby whose role is
@@ -43,7 +44,8 @@ final class Viewer extends StreamHandler {
   private final Folders folders;
   private final Worker fileWorker;
   private final Annexes annexes;
-  private final RecordedFile recorded;
+  private final RecordedFiles recorded;
+  private final Downloads downloads;
   private final String instance;
   private final List<Runnable> notListening = new ArrayList<>();
   private @Nullable Connection connection;
@@ -51,6 +53,7 @@ final class Viewer extends StreamHandler {
   private @Nullable MediaDesk media;
   private @Nullable CodeDesk desk;
   private @Nullable FileDesk files;
+  private @Nullable RecordingDesk recordings;
   private ViewRequest wanted = new ViewRequest(0, List.of(), null, null);
   private boolean looking;
   private boolean due;
@@ -62,7 +65,8 @@ final class Viewer extends StreamHandler {
       Folders folders,
       Worker fileWorker,
       Annexes annexes,
-      RecordedFile recorded,
+      RecordedFiles recorded,
+      Downloads downloads,
       String instance) {
     super(admission, MOST_REQUESTS);
     this.lobbies = lobbies;
@@ -71,6 +75,7 @@ final class Viewer extends StreamHandler {
     this.fileWorker = fileWorker;
     this.annexes = annexes;
     this.recorded = recorded;
+    this.downloads = downloads;
     this.instance = instance;
   }
 
@@ -93,7 +98,8 @@ final class Viewer extends StreamHandler {
     List<String> keywords = Keywords.all().stream().sorted().toList();
     send(channel, Answer.hello(role.text(), Version.number(), instance, keywords));
     tell(annexes::listen, () -> send(channel, Answer.worlds(annexes.all())));
-    tell(recorded::listen, () -> send(channel, Answer.recording(recorded.name())));
+    recordings = new RecordingDesk(channel, role, recorded, fileWorker, downloads);
+    tell(recorded::listen, recordings::tell);
     look(channel);
   }
 
@@ -202,6 +208,7 @@ final class Viewer extends StreamHandler {
               channel, steer.id(), connection().steer(steer.action(), steer.tag(), steer.target()));
       case Request.Emit emit ->
           tell(channel, emit.id(), connection().emit(emit.event(), emit.payload()));
+      case Request.Download wish -> requireNonNull(recordings, "it has been let in").obey(wish);
       case Request.OfCode wish -> desk().obey(wish);
       case Request.OfFiles wish -> requireNonNull(files, "it has been let in").obey(wish);
     }

@@ -31,8 +31,8 @@ const studio = {
   keywords: [],
   // The simulated worlds whose pages can be shown: name and title.
   worlds: [],
-  // The file to which variables are recorded, as the server has told last.
-  recording: { type: "recording", file: "" },
+  // The file to which variables are recorded, and those that can be downloaded, as the server has told last.
+  recording: { type: "recording", file: "", finished: [] },
 
   // Tells the server something that it does not answer.
   send: (message) => stream.send(message),

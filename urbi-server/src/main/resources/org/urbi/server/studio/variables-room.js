@@ -17,6 +17,7 @@ const PAGE = `
         <span id="record-state" class="hint" role="status"></span>
         <button id="record" type="button" aria-pressed="false" title="All UVars, the slots of --watch, and the log, to an MCAP file in the server's directory">Record</button>
       </div>
+      <ul id="recordings" aria-label="Finished recordings" hidden></ul>
       <div class="columns" aria-hidden="true"><span>slot</span><span>value</span><span>per s</span><span>last written</span></div>
       <div id="variable-tree" role="tree" tabindex="0" aria-labelledby="variables-title"></div>
     </section>
@@ -52,7 +53,7 @@ export class Room {
     this.items = new Items(this.tree, (line) => line.way, (line) => this.newLine(line), (row, line) => this.fillLine(row, line));
     this.plot = new Plot(this.find, studio);
     this.slot = new Slot(this.find("slot"), studio, this.plot);
-    this.recording = new Recording(studio, this.find("record"), this.find("record-state"));
+    this.recording = new Recording(studio, this.find("record"), this.find("record-state"), this.find("recordings"));
     this.recording.take(studio.recording);
     this.find("variable-filter").addEventListener("input", (event) => {
       this.text = event.target.value;

@@ -51,7 +51,7 @@ class LateAnswersTest {
             AccessPolicy.ALL,
             Shown.VARIABLES,
             new Folders(folder, null),
-            new RecordedFile());
+            new RecordedFiles());
   }
 
   /** A connection of a kernel of which some functions answer what is wrong. */

@@ -79,6 +79,7 @@ class ObserverTest {
     orders.put("'type':'open','name':'walk.u'", NO_FILES);
     orders.put("'type':'save','name':'walk.u','text':'1','version':''", NO_FILES);
     orders.put("'type':'save','name':'new.u','text':'1','version':''", NO_FILES);
+    orders.put("'type':'download','recording':1", "only an owner may download recordings");
   }
 
   @Test

@@ -26,11 +26,11 @@ final class Served {
 
   static StudioServer of(Kernel kernel, AccessPolicy policy, Shown shown, Folders folders)
       throws IOException {
-    return of(kernel, policy, shown, folders, new RecordedFile());
+    return of(kernel, policy, shown, folders, new RecordedFiles());
   }
 
   static StudioServer of(
-      Kernel kernel, AccessPolicy policy, Shown shown, Folders folders, RecordedFile recorded)
+      Kernel kernel, AccessPolicy policy, Shown shown, Folders folders, RecordedFiles recorded)
       throws IOException {
     return of(kernel, client -> kernel.connect(client, false), policy, shown, folders, recorded);
   }
@@ -44,7 +44,7 @@ final class Served {
       AccessPolicy policy,
       Shown shown,
       Folders folders,
-      RecordedFile recorded)
+      RecordedFiles recorded)
       throws IOException {
     return new StudioServer(
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),

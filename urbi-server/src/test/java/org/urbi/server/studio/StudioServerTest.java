@@ -41,7 +41,7 @@ import org.urbi.web.Page;
 class StudioServerTest {
   @TempDir static Path folder;
   private static Kernel kernel;
-  private static final RecordedFile RECORDED = new RecordedFile();
+  private static final RecordedFiles RECORDED = new RecordedFiles();
   private static StudioServer studio;
 
   @BeforeAll
@@ -388,14 +388,14 @@ class StudioServerTest {
   @Test
   void allAreToldToWhichFileVariablesAreRecorded() throws Exception {
     try (Browser page = new Browser(studio, "")) {
-      page.await("{\"type\":\"recording\",\"file\":\"\"}");
-      RECORDED.change("run.mcap");
-      page.await("{\"type\":\"recording\",\"file\":\"run.mcap\"}");
+      page.await("{\"type\":\"recording\",\"file\":\"\"");
+      RECORDED.begin(Path.of("run.mcap"));
+      page.await("{\"type\":\"recording\",\"file\":\"run.mcap\"");
       try (Browser later = new Browser(studio, "")) {
-        later.await("{\"type\":\"recording\",\"file\":\"run.mcap\"}");
+        later.await("{\"type\":\"recording\",\"file\":\"run.mcap\"");
       }
-      RECORDED.change("");
-      page.await("{\"type\":\"recording\",\"file\":\"\"}");
+      RECORDED.end();
+      page.await("{\"type\":\"recording\",\"file\":\"\"");
     }
   }
 

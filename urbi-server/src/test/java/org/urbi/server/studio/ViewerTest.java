@@ -33,7 +33,7 @@ class ViewerTest {
 
   private StudioServer serve() throws IOException {
     return Served.of(
-        kernel, AccessPolicy.ALL, Shown.VARIABLES, new Folders(folder, null), new RecordedFile());
+        kernel, AccessPolicy.ALL, Shown.VARIABLES, new Folders(folder, null), new RecordedFiles());
   }
 
   /** Numbers of jobs, tags and events mean nothing to another server. */
