@@ -202,6 +202,17 @@ final class Browser {
     command("Emulation.setTouchEmulationEnabled", "\"enabled\":false");
   }
 
+  /**
+   * Has a system that prefers dark colours, or light ones.
+   *
+   * @param scheme {@code dark} or {@code light}; empty for what it usually has
+   */
+  void preferColours(String scheme) throws IOException {
+    command(
+        "Emulation.setEmulatedMedia",
+        "\"features\":[{\"name\":\"prefers-color-scheme\",\"value\":\"" + scheme + "\"}]");
+  }
+
   /** Has a screen as large as a wall. */
   void becomeWall() throws IOException {
     becomeScreen(3840, 2160);

@@ -58,7 +58,9 @@ class StudioPlotTest {
         stays(browser, zoomed, "with one number less");
         goesOn(browser, zoomed);
         pauses(browser);
+        followsTheSystem(browser);
       } finally {
+        browser.preferColours("");
         browser.becomeUsual();
       }
       assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
@@ -113,6 +115,25 @@ class StudioPlotTest {
     browser.await("the room", hidden, "false"::equals);
     browser.await("its new width", FITS, "true"::equals);
     Fit.checkForFingers(browser, "with its plot");
+  }
+
+  /** Also while it stands still. */
+  private static void followsTheSystem(Browser browser) throws Exception {
+    browser.evaluate(
+        "while (document.documentElement.dataset.theme) document.querySelector('#theme').click();"
+            + "document.querySelector('#plot-pause').click()");
+    String lines =
+        """
+        const canvas = document.querySelector('#plot-area canvas');
+        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        const pixels = new Set();
+        for (let i = 0; i < data.length; i += 4) pixels.add(data.slice(i, i + 4).join(' '));
+        return ['223 227 232 255', '44 52 62 255'].filter((line) => pixels.has(line)).join();
+        """;
+    browser.preferColours("light");
+    browser.await("light lines", lines, "223 227 232 255"::equals);
+    browser.preferColours("dark");
+    browser.await("dark lines", lines, "44 52 62 255"::equals);
   }
 
   private static void goesOn(Browser browser, String zoomed) throws Exception {

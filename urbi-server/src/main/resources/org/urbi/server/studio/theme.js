@@ -8,6 +8,9 @@ const CHOICES = [
 ];
 const KEY = "theme";
 
+// What is drawn is drawn anew, in the colours that there are now.
+const redraw = () => window.dispatchEvent(new Event("resize"));
+
 // A button goes from each choice to the next one.
 export function chooseTheme(button) {
   let chosen = 0;
@@ -27,7 +30,8 @@ export function chooseTheme(button) {
     const { name } = CHOICES[chosen];
     if (name) keep("local", KEY, name);
     else forget("local", KEY);
-    // What is drawn is drawn anew.
-    window.dispatchEvent(new Event("resize"));
+    redraw();
   });
+  // The system may have other colours at night.
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
 }
