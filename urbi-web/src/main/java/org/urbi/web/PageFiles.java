@@ -44,6 +44,9 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private static final Pattern FILE =
       Pattern.compile("(\\w[\\w-]*/)*\\w[\\w.-]*\\.(" + String.join("|", TYPES.keySet()) + ")");
 
+  /** The folder of what all pages have, which is not beside their classes but beside this one. */
+  private static final String SHARED = "shared/";
+
   /** A path of an annex: the name of its component, and what is asked for. */
   private static final Pattern ANNEX = Pattern.compile("/annex/(\\w+)(/.*)");
 
@@ -154,7 +157,8 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       boolean packed =
           !names.local()
               && request.headers().containsValue(HttpHeaderNames.ACCEPT_ENCODING, "gzip", true);
-      PageShelf.Served served = shelf.find(from.home(), file, packed);
+      Class<?> home = file.startsWith(SHARED) ? PageFiles.class : from.home();
+      PageShelf.Served served = shelf.find(home, file, packed);
       if (served == null) {
         answer(context, request, HttpResponseStatus.NOT_FOUND);
       } else {

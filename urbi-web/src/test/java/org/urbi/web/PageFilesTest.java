@@ -82,6 +82,16 @@ class PageFilesTest {
     assertEquals(404, ask(true, HttpMethod.GET, "none.css", "if-none-match", "*").status);
   }
 
+  /** The pages are of different components, and the stream is one. */
+  @Test
+  void eachPageHasWhatAllShare() {
+    Answer shared = ask(true, HttpMethod.GET, "shared/stream.js");
+    assertEquals(200, shared.status);
+    assertTrue(new String(shared.content, StandardCharsets.UTF_8).contains("class Stream"));
+    assertEquals(404, ask(true, HttpMethod.GET, "shared/none.js").status);
+    assertEquals(404, ask(true, HttpMethod.GET, "x/shared/stream.js").status);
+  }
+
   /** Its own page may lead that name here, and then command. */
   @Test
   void nameOfAnotherSiteIsRefused() {

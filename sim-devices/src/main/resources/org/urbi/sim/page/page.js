@@ -3,7 +3,7 @@ import { CameraView } from "./camera.js";
 import { Controls } from "./controls.js";
 import { SceneView } from "./scene.js";
 import { PlotView } from "./plots.js";
-import { Stream } from "./stream.js";
+import { WorldStream } from "./stream.js";
 
 const SPEED_SECONDS = 2;
 const REFUSAL_SECONDS = 8;
@@ -129,7 +129,7 @@ function theme() {
   redraw();
 }
 
-const stream = new Stream({ onText: take, onImage: (image) => camera.show(image).then(redraw), onState: say });
+const stream = new WorldStream({ onText: take, onImage: (image) => camera.show(image).then(redraw), onState: say });
 
 addEventListener("storage", theme);
 addEventListener("resize", redraw);

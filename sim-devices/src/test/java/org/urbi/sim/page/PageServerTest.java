@@ -57,6 +57,7 @@ class PageServerTest {
           "page.css",
           "page.js",
           "stream.js",
+          "shared/stream.js",
           "camera.js",
           "scene.js",
           "plots.js",

@@ -1,6 +1,6 @@
 // Puts the parts of the studio together: the connection, what is known of the jobs, the rooms.
 import { set } from "./elements.js";
-import { Stream } from "./stream.js";
+import { StudioStream } from "./stream.js";
 import { Jobs } from "./jobs.js";
 import { Navigation } from "./navigation.js";
 import { chooseTheme } from "./theme.js";
@@ -35,7 +35,7 @@ const studio = {
   recording: { type: "recording", file: "", finished: [] },
 
   // Tells the server something that it does not answer.
-  send: (message) => stream.send(message),
+  send: (message) => stream.send(JSON.stringify(message)),
 
   // Asks the server: a promise of its answer, the message "done" of that number. People are told when the answer is an error,
   // unless who asks does that (quiet). The number is told when it is sent.
@@ -43,7 +43,7 @@ const studio = {
     const id = ++asked;
     sent(id);
     const answer = new Promise((tell) => questions.set(id, { tell, quiet }));
-    if (!stream.send({ ...message, id })) resolve(id, "There is no connection to the server.");
+    if (!stream.send(JSON.stringify({ ...message, id }))) resolve(id, "There is no connection to the server.");
     return answer;
   },
 
@@ -113,7 +113,7 @@ function take(message) {
   navigation.take(message);
 }
 
-const stream = new Stream({
+const stream = new StudioStream({
   onMessage: take,
   onState: (state, text, connections) => {
     byId("connection").dataset.state = state;
