@@ -70,6 +70,33 @@ class StudioReactionsTest {
         "that it is too long", result, "payload: at most 8192 characters, not 9000"::equals);
     urbi.send("held.size + 100;\n");
     urbi.awaitText("101");
+    isToldWhatIsTooLongToBeSent(browser, urbi);
+  }
+
+  /** The server would end the connection, and with it all that runs for this page. */
+  private static void isToldWhatIsTooLongToBeSent(Browser browser, JavaProcess urbi)
+      throws Exception {
+    String result = StudioPage.text("#emission-result");
+    String submit = "; document.querySelector('#emission').requestSubmit()";
+    browser.evaluate(StudioPage.type("#payload", "' + 'é'.repeat(600000) + '") + submit);
+    browser.await(
+        "that it is not sent",
+        result,
+        text ->
+            text.matches(
+                "This is too long: 1,200,\\d+ bytes, at most 1,048,576 can be sent at once."));
+    String kept = "return document.querySelector('#payload').value.length";
+    assertEquals("600000", browser.evaluate(kept));
+    browser.evaluate(StudioPage.type("#reaction-filter", "' + 'x'.repeat(1100000) + '"));
+    browser.await("why", StudioPage.text("#alert"), text -> text.startsWith("This is too long"));
+    browser.evaluate(StudioPage.type("#reaction-filter", ""));
+    browser.evaluate(StudioPage.type("#payload", "8, \"blue\"") + submit);
+    browser.await("that it was emitted", result, "ball was emitted."::equals);
+    urbi.send("held.back;\n");
+    urbi.awaitText("[8, \"blue\"]");
+    String connections = "return document.querySelector('#connection').dataset.connections";
+    assertEquals("1", browser.evaluate(connections));
+    assertEquals("live", browser.evaluate(StudioPage.text("#connection-text")));
   }
 
   /** What a condition has read has no column there, and is below the code. */

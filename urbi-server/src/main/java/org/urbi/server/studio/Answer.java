@@ -43,6 +43,7 @@ final class Answer {
           out.writeStringField("role", role);
           out.writeStringField("version", version);
           out.writeStringField("instance", instance);
+          out.writeNumberField("longest", Request.LONGEST);
           writeTexts(out, "keywords", keywords);
         });
   }

@@ -19,6 +19,8 @@ let asked = 0;
 let alerted;
 // Which server it was last.
 let known;
+// How many bytes the server takes at once.
+let longest = Infinity;
 
 // What rooms have of the studio.
 const studio = {
@@ -34,8 +36,13 @@ const studio = {
   // The file to which variables are recorded, and those that can be downloaded, as the server has told last.
   recording: { type: "recording", file: "", finished: [] },
 
-  // Tells the server something that it does not answer.
-  send: (message) => stream.send(JSON.stringify(message)),
+  // Tells the server something that it does not answer; while there is no connection that is of no use.
+  send(message) {
+    const text = JSON.stringify(message);
+    const reason = tooLong(text);
+    if (reason) studio.alert(reason);
+    else stream.send(text);
+  },
 
   // Asks the server: a promise of its answer, the message "done" of that number. People are told when the answer is an error,
   // unless who asks does that (quiet). The number is told when it is sent.
@@ -43,7 +50,10 @@ const studio = {
     const id = ++asked;
     sent(id);
     const answer = new Promise((tell) => questions.set(id, { tell, quiet }));
-    if (!stream.send(JSON.stringify({ ...message, id }))) resolve(id, "There is no connection to the server.");
+    const text = JSON.stringify({ ...message, id });
+    const reason = tooLong(text);
+    if (reason) resolve(id, reason);
+    else if (!stream.send(text)) resolve(id, "There is no connection to the server.");
     return answer;
   },
 
@@ -57,6 +67,12 @@ const studio = {
   go: (name, path = "") => (location.hash = path ? `${name}/${encodeURIComponent(path)}` : name),
 };
 
+// Why a text cannot be sent: the server would end the connection.
+function tooLong(text) {
+  const size = new TextEncoder().encode(text).length;
+  return size <= longest ? "" : `This is too long: ${size.toLocaleString("en")} bytes, at most ${longest.toLocaleString("en")} can be sent at once.`;
+}
+
 function resolve(id, error, message = { error }) {
   const question = questions.get(id);
   questions.delete(id);
@@ -66,7 +82,8 @@ function resolve(id, error, message = { error }) {
 
 const navigation = new Navigation(byId("nav"), byId("rooms"), studio);
 
-function welcome({ role, keywords, instance }) {
+function welcome({ role, keywords, instance, longest: most }) {
+  longest = most;
   const anew = instance !== known;
   known = instance;
   studio.role = role;
