@@ -88,7 +88,7 @@ final class VariablesFile {
   }
 
   /**
-   * Completes the file; may wait for the disk.
+   * Completes the file; may wait for the disk and the kernel, so not on the kernel's thread.
    *
    * @throws IOException if there is none
    */
@@ -97,7 +97,7 @@ final class VariablesFile {
     if (present == null) {
       throw new IOException("no variables are being recorded");
     }
-    present.close();
+    present.stop();
     forget(present);
   }
 

@@ -1,10 +1,14 @@
 package org.urbi.server.studio.mcap;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.View;
@@ -23,6 +27,9 @@ final class JobsObserver {
 
   /** Between two looks in the middle of a round, and before an answer is asked for again. */
   private static final long SOON = TimeUnit.MILLISECONDS.toNanos(20);
+
+  /** How long an answer to the last look is awaited. */
+  private static final long LAST_WAIT = TimeUnit.SECONDS.toNanos(1);
 
   /** Takes a message: of which topic, its time in nanoseconds since the Epoch, and its content. */
   @FunctionalInterface
@@ -60,13 +67,41 @@ final class JobsObserver {
   void goOn(long now) throws IOException, ExecutionException, InterruptedException {
     View view = answered();
     if (answer == null || view != null) {
-      answer =
-          connection.look(new ViewRequest(0, table.oldest(ViewRequest.MOST_TRACED), null, null));
+      look();
     }
     due =
         view != null && view.complete()
             ? now + TimeUnit.MILLISECONDS.toNanos(JobTable.pause(view))
             : now + SOON;
+  }
+
+  /**
+   * Looks a last time, at all that there is, and waits for that: what jobs have done since the look
+   * before is in the file then. A kernel that does not answer soon is left alone.
+   */
+  void finish() throws IOException, ExecutionException, InterruptedException {
+    if (due == NEVER) {
+      return;
+    }
+    try {
+      if (answer != null) {
+        answer.get(LAST_WAIT, TimeUnit.NANOSECONDS);
+        answered();
+      }
+      boolean complete = false;
+      while (!complete) {
+        look();
+        requireNonNull(answer, "it was just asked").get(LAST_WAIT, TimeUnit.NANOSECONDS);
+        View view = answered();
+        complete = view == null || view.complete();
+      }
+    } catch (TimeoutException | CancellationException e) {
+      // The file has what was seen before.
+    }
+  }
+
+  private void look() {
+    answer = connection.look(new ViewRequest(0, table.oldest(ViewRequest.MOST_TRACED), null, null));
   }
 
   /** Takes the answer to the last look, if there is one; null if not. */

@@ -56,7 +56,10 @@ public final class McapRecorder implements AutoCloseable {
 
     record Value(int variable, long time, @Nullable Object value) implements Event {}
 
-    record End() implements Event {}
+    /**
+     * @param looks whether the jobs are looked at once more
+     */
+    record End(boolean looks) implements Event {}
   }
 
   private final Path path;
@@ -208,10 +211,9 @@ public final class McapRecorder implements AutoCloseable {
 
   private void run() {
     try {
-      boolean goesOn = true;
-      while (goesOn) {
-        Event event = next();
-        goesOn = !(event instanceof Event.End);
+      Event event = null;
+      while (!(event instanceof Event.End)) {
+        event = next();
         if (!file.isPending()) {
           flushAt = clock.now() + FLUSH;
         }
@@ -226,22 +228,26 @@ public final class McapRecorder implements AutoCloseable {
           file.flush();
         }
       }
-      jobs.answered();
+      if (((Event.End) event).looks()) {
+        jobs.finish();
+      } else {
+        jobs.answered();
+      }
       file.close();
     } catch (IOException e) {
-      end(String.valueOf(e.getMessage()));
+      fail(String.valueOf(e.getMessage()));
     } catch (ExecutionException e) {
       FailureLog.internal("the jobs that are recorded to " + path, e);
-      end(FailureLog.text(e));
+      fail(FailureLog.text(e));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
       FailureLog.internal("recording to " + path, e);
-      end(FailureLog.text(e));
+      fail(FailureLog.text(e));
     }
   }
 
-  private void end(String reason) {
+  private void fail(String reason) {
     if (abandoned) {
       return;
     }
@@ -299,16 +305,33 @@ public final class McapRecorder implements AutoCloseable {
     }
   }
 
-  /** Writes what is left, and the summary; may wait for the disk. */
+  /**
+   * Writes what has happened until now, and closes. May wait for the disk, and for a moment for the
+   * kernel, so not on its thread.
+   */
+  public void stop() {
+    events.add(new Event.End(true));
+    await();
+    close();
+  }
+
+  /**
+   * Writes what is left, and the summary; may wait for the disk. The kernel may have ended: what
+   * jobs have done since the last look is not in the file.
+   */
   @Override
   public void close() {
     finish();
+    await();
+    tellLost();
+  }
+
+  private void await() {
     try {
       writer.join();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    tellLost();
   }
 
   /**
@@ -344,7 +367,7 @@ public final class McapRecorder implements AutoCloseable {
 
   private void finish() {
     connection.close();
-    events.add(new Event.End());
+    events.add(new Event.End(false));
   }
 
   private long values() {

@@ -199,6 +199,49 @@ class McapRecorderTest {
     assertTrue(log.isEmpty(), log::toString);
   }
 
+  private static Thread stopping(McapRecorder recorder) {
+    Thread stopping = Thread.ofPlatform().start(recorder::stop);
+    while (stopping.getState() != Thread.State.WAITING) {
+      Thread.onSpinWait();
+    }
+    return stopping;
+  }
+
+  /** What was done after the last look is seen by one more, however many parts that has. */
+  @Test
+  void theLastMomentBeforeAStopIsWritten() throws Exception {
+    Path path = folder.resolve("run.mcap");
+    McapRecorder recorder = recorder(path);
+    Look before = looks.take();
+    Thread stopping = stopping(recorder);
+    TurnView none = new TurnView(List.of(), 0, null);
+    before.answer.complete(view(List.of(job(3, "early")), List.of(), List.of(), none, true));
+    Look part = looks.take();
+    assertEquals(List.of(3L), part.wanted.traced());
+    part.answer.complete(view(List.of(job(4, "late")), List.of(), List.of(), none, false));
+    Turn turn = new Turn(3, List.of(), 1_500_000_000L, 1_750_000_000L, Wait.EVENT, true);
+    TurnView turns = new TurnView(List.of(turn), 0, null);
+    looks.take().answer.complete(view(List.of(), List.of(), List.of(), turns, true));
+    stopping.join();
+    String bytes = written(path);
+    assertTrue(bytes.contains("\"name\":\"late\""), bytes);
+    assertTrue(bytes.contains("\"end\":1.75"), bytes);
+    assertTrue(looks.isEmpty() && isClosed);
+  }
+
+  /** As one that is held: the file is complete all the same. */
+  @Test
+  void aKernelThatDoesNotAnswerIsLeftAlone() throws Exception {
+    Path path = folder.resolve("run.mcap");
+    McapRecorder recorder = recorder(path);
+    looks.take();
+    recorder.stop();
+    byte[] written = Files.readAllBytes(path);
+    byte[] magic = Arrays.copyOf(written, MAGIC);
+    assertArrayEquals(magic, Arrays.copyOfRange(written, written.length - MAGIC, written.length));
+    assertTrue(looks.isEmpty() && log.isEmpty());
+  }
+
   /** A kernel that is busy, or a disk that is slow, is asked for one look, not for many. */
   @Test
   void thereIsOneLookAtATime() throws Exception {
