@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -17,7 +16,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.DoubleStream;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.urbi.bench.Lateness;
 import org.urbi.bench.Load;
@@ -25,7 +23,8 @@ import org.urbi.bench.Load;
 /**
  * What it costs a server that somebody looks, and whether that is what was promised: processor time
  * in each room of the studio, and how late a loop of 10 ms is, in turns with a page and without,
- * also with one that does not read. Then how long a browser takes until it shows something.
+ * also with one that does not read. Then how long a browser takes until it shows something, and
+ * whether it stays smooth.
  */
 public final class StudioBenchmark {
   /** Enough for 2,000 periods in each room: p99.9 is the third latest. */
@@ -310,11 +309,6 @@ public final class StudioBenchmark {
     return met;
   }
 
-  private static boolean hasBrowser() {
-    return Stream.of(System.getenv("PATH").split(":"))
-        .anyMatch(folder -> Files.isExecutable(Path.of(folder, "chromedriver")));
-  }
-
   public static void main(String[] arguments) throws Exception {
     Path root = Path.of(System.getProperty("bench.root"));
     if (arguments.length == 0 && !Load.isCalm()) {
@@ -338,10 +332,11 @@ public final class StudioBenchmark {
       }
       met = bench.report();
     }
-    if (hasBrowser()) {
+    if (Chromium.isThere()) {
       met &= StudioStartBenchmark.run(root);
+      met &= StudioFramesBenchmark.run(root);
     } else {
-      System.out.println("first jobs: not measured, there is no chromedriver");
+      System.out.println("first jobs, frames: not measured, there is no chromedriver");
     }
     System.exit(met ? 0 : 1);
   }

@@ -64,6 +64,11 @@ final class StudioProbe implements AutoCloseable {
     throw new IOException("the server has ended");
   }
 
+  /** Has it run some code. */
+  void say(String code) {
+    input.println(code);
+  }
+
   void begin() {
     input.println(BEGIN);
   }

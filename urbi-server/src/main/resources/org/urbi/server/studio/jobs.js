@@ -8,6 +8,9 @@ const UNSEEN = 5000;
 const MOST_ENDED_OF_ONE = 8;
 const MOST_ENDED = 1000;
 
+const COLLATOR = new Intl.Collator("en", { numeric: true });
+const NONE = [];
+
 export class Jobs {
   constructor() {
     this.clear();
@@ -195,23 +198,22 @@ export class Jobs {
     const lines = [];
     const stack = [];
     const lobbies = [...below.keys()].filter((key) => typeof key === "string");
-    const collator = new Intl.Collator("en", { numeric: true });
     // Where each is among those of the same starter, and of how many, is told to whoever does not see it.
     const later = (jobs, level) => {
       for (let i = jobs.length - 1; i >= 0; i--) stack.push({ job: jobs[i], level, place: i + 1, of: jobs.length });
     };
-    for (const [i, lobby] of lobbies.sort(collator.compare).entries()) {
+    for (const [i, lobby] of lobbies.sort(COLLATOR.compare).entries()) {
       const open = !closed.has(lobby);
       const jobs = below.get(lobby);
       lines.push({ key: lobby, lobby, level: 1, place: i + 1, of: lobbies.length, open, children: jobs.length, alive: Jobs.alive(jobs) });
       if (open) later(jobs, 2);
       while (stack.length) {
-        const line = stack.pop();
-        const { number } = line.job;
-        const children = below.get(number) ?? [];
+        const { job, level, place, of } = stack.pop();
+        const { number } = job;
+        const children = below.get(number) ?? NONE;
         const opened = !closed.has(number);
-        lines.push({ ...line, key: number, open: opened, children: children.length });
-        if (opened) later(children, line.level + 1);
+        lines.push({ key: number, job, level, place, of, open: opened, children: children.length });
+        if (opened) later(children, level + 1);
       }
     }
     return lines;

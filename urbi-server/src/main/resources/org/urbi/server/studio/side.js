@@ -72,6 +72,10 @@ export class Side {
 
   // words: what the filter of the jobs wants. Of very many tags, those that it names come first.
   showTags(words) {
+    // Who scrolls has everything drawn anew, and changes none of that.
+    const state = [this.jobs.at, this.mayChange(), ...words].join(" ");
+    if (state === this.tagState) return;
+    this.tagState = state;
     const count = new Map();
     for (const job of this.jobs.rows.values()) {
       if (!job.ended) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
