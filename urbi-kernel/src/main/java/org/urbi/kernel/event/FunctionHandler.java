@@ -33,7 +33,7 @@ public final class FunctionHandler implements Subscription, Reaction {
       boolean sync) {
     this.event = event;
     this.home = home;
-    this.scope = home.job().scope();
+    this.scope = home.job().scopeForNew();
     this.lobby = home.job().lobby();
     this.guard = guard;
     this.enter = enter;

@@ -38,7 +38,7 @@ final class Handler {
    */
   Handler(Frame home, Node body, @Nullable Node onLeave, boolean sync) {
     this.home = home;
-    this.scope = home.job().scope();
+    this.scope = home.job().scopeForNew();
     this.lobby = home.job().lobby();
     this.body = Profiler.observing(home.job(), "event", body);
     this.onLeave = onLeave == null ? null : Profiler.observing(home.job(), "event", onLeave);

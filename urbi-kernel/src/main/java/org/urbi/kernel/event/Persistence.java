@@ -22,7 +22,7 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
 
   private Persistence(Frame home, Node expression, long hold, UrbiObject shown) {
     this.home = home;
-    this.scope = home.job().scope();
+    this.scope = home.job().scopeForNew();
     this.lobby = home.job().lobby();
     this.hold = hold;
     this.shown = shown;

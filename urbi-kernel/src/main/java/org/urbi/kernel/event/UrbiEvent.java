@@ -74,7 +74,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
       if (guests.isEmpty()) {
         guests = new IdentityHashMap<>();
       }
-      guests.put(subscription, new Guest(job.lobby(), job.scope()));
+      guests.put(subscription, new Guest(job.lobby(), job.scopeForNew()));
     }
     for (Emission emission : new ArrayList<>(lasting)) {
       begin(emission, subscription, job);

@@ -45,7 +45,7 @@ public final class WatchExpression extends Node {
 
     Watching(Frame home, UrbiEvent event) {
       this.event = event;
-      scope = home.job().scope();
+      scope = home.job().scopeForNew();
       lobby = home.job().lobby();
       watch = new ExpressionWatcher(home, expression, this);
     }

@@ -83,7 +83,7 @@ public final class Whenever extends Node {
 
     Repeating(Frame home) {
       this.home = home;
-      this.scope = home.job().scope();
+      this.scope = home.job().scopeForNew();
       this.lobby = home.job().lobby();
     }
 

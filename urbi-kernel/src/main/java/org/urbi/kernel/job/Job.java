@@ -45,9 +45,7 @@ public final class Job extends JobFacts implements Runnable {
   /** What Java code has done for it since it last checked, in steps. */
   private int steps;
 
-  private int nestedSends;
   private int nonInterruptible;
-  private double priority;
   private @Nullable ComponentCode componentCode;
 
   /** Its place among the jobs that can run. */
@@ -132,31 +130,23 @@ public final class Job extends JobFacts implements Runnable {
     return scope;
   }
 
+  /**
+   * The scope of what it begins, jobs and handlers: its own, unless nobody would end them there.
+   * Asked in the job.
+   */
+  public TagScope scopeForNew() {
+    if (scope.isAbandoned()) {
+      moveTo(TagScope.shelter(scope, this));
+    }
+    return scope;
+  }
+
   /** How many nanoseconds it has been frozen in all. */
   public long timeShift() {
     return time.shift();
   }
 
   // ------------------------------------------------------------------ how it runs
-
-  /**
-   * Java code is about to send a message to urbiscript.
-   *
-   * @param most how deeply such messages may be nested
-   * @return false, and nothing has begun, if the limit is reached
-   */
-  public boolean beginSend(int most) {
-    if (nestedSends >= most) {
-      return false;
-    }
-    nestedSends++;
-    return true;
-  }
-
-  /** Ends what {@link #beginSend} has begun. */
-  public void endSend() {
-    nestedSends--;
-  }
 
   /** The number of surrounding scopes that no other job may interrupt. */
   public int nonInterruptible() {
@@ -172,16 +162,6 @@ public final class Job extends JobFacts implements Runnable {
   /** Leaves scopes that no other job may interrupt, until only that many remain. */
   public void endNonInterruptible(int before) {
     nonInterruptible = Math.min(nonInterruptible, before);
-  }
-
-  /** Jobs of a lower priority do not run while this one can; usually 0. */
-  public double priority() {
-    return priority;
-  }
-
-  public void setPriority(double other) {
-    priority = other;
-    scheduler.yields().endGrant();
   }
 
   // ------------------------------------------------------------------ life, on its own thread
@@ -220,6 +200,9 @@ public final class Job extends JobFacts implements Runnable {
       budget.giveBack(Resource.JOBS);
     }
     scheduler.ended(this);
+    if (scope.isShelterOf(this)) {
+      scheduler.attempt(() -> scope.endShelter(scheduler));
+    }
     if (group != null) {
       group.childEnded(this, failure);
     } else if (failure != null) {
@@ -480,17 +463,21 @@ public final class Job extends JobFacts implements Runnable {
    */
   public TagScope enter(TagState tag) {
     scheduler.number(tag);
-    TagScope entered = new TagScope(tag, scope, this);
+    TagScope entered = new TagScope(tag, scopeForNew(), this);
     moveTo(entered);
     return entered;
   }
 
   /** Leaves tagged code, however it ended. */
   public void leave(TagScope left) {
+    TagScope before = scope;
     moveTo(left.parent());
     left.close();
     if (injected instanceof TagStop stop && stop.scope() == left) {
       injected = null;
+    }
+    if (before.isShelterOf(this)) {
+      before.endShelter(scheduler);
     }
   }
 

@@ -26,6 +26,8 @@ abstract sealed class JobFacts permits Job {
   private final long starter;
   private boolean daemon;
   private int deepest;
+  private int nestedSends;
+  double priority;
 
   Wait wait = Wait.TURN;
   @Nullable Place place;
@@ -105,6 +107,16 @@ abstract sealed class JobFacts permits Job {
     daemon = on;
   }
 
+  /** Jobs of a lower priority do not run while this one can; usually 0. */
+  public double priority() {
+    return priority;
+  }
+
+  public void setPriority(double other) {
+    priority = other;
+    scheduler.yields().endGrant();
+  }
+
   // ------------------------------------------------------------------ where it stands
 
   /** Tells that the job is in that many nested calls; called for each beyond {@link #DEEP}. */
@@ -131,6 +143,25 @@ abstract sealed class JobFacts permits Job {
       deepest = place.depth();
     }
     return deepest;
+  }
+
+  /**
+   * Java code is about to send a message to urbiscript.
+   *
+   * @param most how deeply such messages may be nested
+   * @return false, and nothing has begun, if the limit is reached
+   */
+  public boolean beginSend(int most) {
+    if (nestedSends >= most) {
+      return false;
+    }
+    nestedSends++;
+    return true;
+  }
+
+  /** Ends what {@link #beginSend} has begun. */
+  public void endSend() {
+    nestedSends--;
   }
 
   /** What it waits for. */

@@ -262,7 +262,8 @@ public final class Scheduler {
   /** Starts a job of a group, under the tags of its parent. */
   Job start(Job parent, JobGroup group, Job.Body body) {
     return start(
-        new Job(this, body, "shell", parent.lobby(), parent.scope(), group, parent.timeShift()));
+        new Job(
+            this, body, "shell", parent.lobby(), parent.scopeForNew(), group, parent.timeShift()));
   }
 
   /** Starts a job which nobody waits for. */

@@ -13,7 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
  */
 final class StopOfTag extends Stop {
   private final TagState tag;
-  private final UrbiObject value;
+  private final @Nullable UrbiObject value;
   private final boolean dismissing;
   private final Predicate<TagScope> concerned;
   private final List<TagScope> scopes;
@@ -27,17 +27,21 @@ final class StopOfTag extends Stop {
   private @Nullable TagStop unwinding;
 
   /**
-   * @param value what the code returns that is stopped
+   * @param value what the code returns that is stopped; null if all of it ends with its job
    * @param dismissing whether handlers end without their {@code onleave} clauses
    * @param concerned what is stopped of the code under the tag: the rest goes on
    */
-  StopOfTag(TagState tag, UrbiObject value, boolean dismissing, Predicate<TagScope> concerned) {
+  StopOfTag(
+      TagState tag, @Nullable UrbiObject value, boolean dismissing, Predicate<TagScope> concerned) {
     this.tag = tag;
     this.value = value;
     this.dismissing = dismissing;
     this.concerned = concerned;
     this.scopes = new ArrayList<>(tag.scopes);
     scopes.removeIf(scope -> !concerned.test(scope));
+    if (dismissing) {
+      scopes.forEach(TagScope::abandon);
+    }
     this.left = scopes.iterator();
   }
 

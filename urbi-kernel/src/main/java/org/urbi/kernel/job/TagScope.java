@@ -50,6 +50,8 @@ public final class TagScope {
   private long statement;
   private int stops;
   private boolean over;
+  private boolean abandoned;
+  private boolean shelter;
 
   /** The root of the tree of a kernel: under no tag at all. */
   TagScope() {
@@ -75,6 +77,47 @@ public final class TagScope {
   public static TagScope branch(Scheduler scheduler, TagState tag, TagScope around) {
     scheduler.number(tag);
     return new TagScope(tag, around, null);
+  }
+
+  /**
+   * A scope for what a job begins that cleans up under an {@linkplain #isAbandoned abandoned} one:
+   * the cleaning up is to find handlers and jobs as usual, and none of them is to be left. It ends
+   * when the job leaves the scope around it, or at its end.
+   */
+  static TagScope shelter(TagScope around, Job owner) {
+    TagScope made = new TagScope(new TagState(), around, owner);
+    made.shelter = true;
+    return made;
+  }
+
+  /** Whether it is such a scope, and made for that job. */
+  boolean isShelterOf(Job job) {
+    return shelter && owner == job;
+  }
+
+  /** Its owner has left this shelter: what it has begun there ends. */
+  void endShelter(Scheduler scheduler) {
+    close();
+    if (tag.isUsed()) {
+      tag.abandon(scheduler, null);
+    }
+  }
+
+  /** Nobody is left for what runs here: see {@link #isAbandoned}. */
+  void abandon() {
+    abandoned = true;
+  }
+
+  /**
+   * Whether all that is here has been told to end for good, because its client has left, so that
+   * nobody would end what begins here now.
+   */
+  public boolean isAbandoned() {
+    TagScope scope = this;
+    while (!scope.abandoned && !scope.shelter && scope.parent != null) {
+      scope = scope.parent;
+    }
+    return scope.abandoned;
   }
 
   public TagState tag() {

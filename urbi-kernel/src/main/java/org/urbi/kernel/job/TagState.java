@@ -133,8 +133,13 @@ public final class TagState {
     scheduler.stops().begin(new StopOfTag(this, value, false, scope -> !scope.isAfter(last)));
   }
 
-  /** Ends it without the {@code onleave} clauses of handlers, which wait without a job. */
-  public void abandon(Scheduler scheduler, UrbiObject value) {
+  /**
+   * Ends it without the {@code onleave} clauses of handlers, which wait without a job, and for
+   * good: its jobs still clean up, but what they begin then ends with that.
+   *
+   * @param value what the code returns; null if nobody goes on behind it
+   */
+  public void abandon(Scheduler scheduler, @Nullable UrbiObject value) {
     scheduler.stops().begin(new StopOfTag(this, value, true, scope -> true));
   }
 

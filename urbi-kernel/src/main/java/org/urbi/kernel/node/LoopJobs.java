@@ -37,14 +37,17 @@ public final class LoopJobs {
 
   /** The scope for a job that the code of an activation detaches. */
   public static TagScope scope(Frame frame) {
-    return frame.loopJobs == null ? frame.job.scope() : frame.loopJobs.scope(frame.job);
+    return frame.loopJobs == null ? frame.job.scopeForNew() : frame.loopJobs.scope(frame.job);
   }
 
   private TagScope scope(Job job) {
+    if (scope != null && scope.isAbandoned()) {
+      scope.end();
+      scope = null;
+    }
     if (scope == null) {
-      scope =
-          TagScope.branch(
-              job.scheduler(), new TagState(), outer == null ? job.scope() : outer.scope(job));
+      TagScope around = outer == null ? job.scopeForNew() : outer.scope(job);
+      scope = TagScope.branch(job.scheduler(), new TagState(), around);
     }
     return scope;
   }

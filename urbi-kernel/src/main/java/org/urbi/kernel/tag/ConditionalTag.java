@@ -130,7 +130,7 @@ public final class ConditionalTag {
         job.scheduler()
             .startDetached(
                 job.lobby(),
-                job.scope(),
+                job.scopeForNew(),
                 "stopif",
                 started -> {
                   begun = true;

@@ -94,7 +94,7 @@ public final class Evaluation {
       boolean background =
           i < program.separators().size() && program.separators().get(i) == Ast.Flavor.COMMA;
       if (background) {
-        ControlType.start(inner, frame.job().scope(), compiled.code()::execute);
+        ControlType.start(inner, frame.job().scopeForNew(), compiled.code()::execute);
         frame.job().yield();
       } else {
         if (i > 0) {
