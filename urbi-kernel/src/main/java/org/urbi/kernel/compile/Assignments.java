@@ -58,7 +58,8 @@ final class Assignments {
         target instanceof Ast.Message call
             ? new Ast.Message(span, call.target(), call.name(), call.arguments(), call.nameSpan())
             : target;
-    return new Matching.Destructure(span, destructuring(assigned, block), value);
+    return compilation.expressions.matching(
+        block, inner -> new Matching.Destructure(span, destructuring(assigned, inner), value));
   }
 
   private Node toMessage(Span span, Ast.Message message, Ast value, LexicalScope block) {

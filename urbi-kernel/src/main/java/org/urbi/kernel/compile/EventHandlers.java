@@ -199,10 +199,14 @@ final class EventHandlers {
   Node waitUntil(Ast.WaitUntil wait, LexicalScope block) {
     return switch (wait.condition()) {
       case Ast.WhenEmitted emitted ->
-          new WaitUntil(
-              wait.span(),
-              new Condition.WhenEmitted(compile(emitted.event(), block), filter(emitted, block)),
-              optional(emitted.duration(), block));
+          compilation.expressions.matching(
+              block,
+              inner ->
+                  new WaitUntil(
+                      wait.span(),
+                      new Condition.WhenEmitted(
+                          compile(emitted.event(), block), filter(emitted, inner)),
+                      optional(emitted.duration(), block)));
       case Ast.WhenTrue holds ->
           new WaitUntil(
               wait.span(),

@@ -4,10 +4,12 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Literals;
+import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Normalized;
@@ -206,15 +208,48 @@ final class Expressions {
 
   // ------------------------------------------------------------------ patterns, claims
 
-  /** A pattern; the variables that it declares are added to the block. */
+  /**
+   * Code with a pattern that declares variables. Where these are slots they are declared behind it,
+   * when all has matched, the guard included, which needs them before.
+   *
+   * @param code compiles it in the block where the pattern declares
+   */
+  Node matching(LexicalScope block, Function<LexicalScope, Node> code) {
+    if (!block.declaresSlots()) {
+      return code.apply(block);
+    }
+    LexicalScope inner = block.construct();
+    Node matching = code.apply(inner);
+    List<Node> declarations = new ArrayList<>();
+    for (LocalVariable variable : inner.variables()) {
+      if (variable.key() instanceof Ast.Declaration binding) {
+        Span span = binding.nameSpan();
+        declarations.add(
+            new Slots.Declare(
+                span,
+                span,
+                target(null, span, block),
+                symbol(binding.name()),
+                compilation.read(span, variable, inner),
+                false,
+                null));
+      }
+    }
+    return declarations.isEmpty()
+        ? matching
+        : new Matching.DeclaringSlots(matching, declarations.toArray(Node[]::new));
+  }
+
+  /**
+   * A pattern; the variables that it declares are added to the block, where they are no slots: see
+   * {@link #matching}.
+   */
   Pattern pattern(Ast ast, LexicalScope block) {
     if (ast instanceof Ast.Declaration binding
         && binding.value() == null
         && binding.target() == null) {
-      return block.declaresSlots()
-          ? new Pattern.SlotBinding(symbol(binding.name()), binding.nameSpan())
-          : new Pattern.Binding(
-              compilation.place(compilation.declare(block, binding.name(), binding), block));
+      LocalVariable variable = compilation.declare(block, binding.name(), binding);
+      return new Pattern.Binding(compilation.place(variable, block));
     }
     if (ast instanceof Ast.ListLiteral list) {
       return elements(list.elements(), block, false);

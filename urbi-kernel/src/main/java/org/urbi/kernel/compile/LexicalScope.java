@@ -1,6 +1,7 @@
 package org.urbi.kernel.compile;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -171,6 +172,11 @@ final class LexicalScope {
       }
     }
     return null;
+  }
+
+  /** The variables of this block. */
+  Collection<LocalVariable> variables() {
+    return variables.values();
   }
 
   @Nullable LocalVariable local(String name) {

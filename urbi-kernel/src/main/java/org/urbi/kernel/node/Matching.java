@@ -78,6 +78,27 @@ public final class Matching {
     }
   }
 
+  /** Code that matches a value against a pattern, and declares slots when it has matched. */
+  public static final class DeclaringSlots extends Node {
+    private final Node matching;
+    private final Node[] declarations;
+
+    public DeclaringSlots(Node matching, Node[] declarations) {
+      super(matching.span());
+      this.matching = matching;
+      this.declarations = declarations;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject value = matching.execute(frame);
+      for (Node declaration : declarations) {
+        declaration.execute(frame);
+      }
+      return value;
+    }
+  }
+
   /** A pattern that is not declared but assigned: {@code [a, b] = [b, a]}. */
   public static final class AssignedPlace extends Pattern {
     private final Variables.Place place;

@@ -3,14 +3,11 @@ package org.urbi.kernel.node;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
-import org.urbi.lang.source.Span;
 
 /** A pattern that a value can be matched against (manual, "Structural Pattern Matching"). */
 public abstract class Pattern {
@@ -43,30 +40,6 @@ public abstract class Pattern {
     @Override
     public boolean matches(Frame frame, UrbiObject value) {
       place.declare(frame, value);
-      return true;
-    }
-  }
-
-  /** {@code var x} where declarations are slots: at the top level, in classes. */
-  public static final class SlotBinding extends Pattern {
-    private final Symbol name;
-    private final Span span;
-
-    public SlotBinding(Symbol name, Span span) {
-      this.name = name;
-      this.span = span;
-    }
-
-    @Override
-    public void tell(Parts parts) {}
-
-    @Override
-    public boolean matches(Frame frame, UrbiObject value) {
-      try {
-        SlotUpdate.create(frame, frame.self, name, value);
-      } catch (UrbiException e) {
-        throw frame.located(e, span);
-      }
       return true;
     }
   }
