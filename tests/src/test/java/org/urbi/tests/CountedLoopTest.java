@@ -2,13 +2,14 @@ package org.urbi.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Compiled loops count their cycles themselves, and tell everybody who asks. */
 class CountedLoopTest {
-  private static final String PROGRAM =
+  private static final String FUNCTIONS =
       """
       function plain(n) { var i = 0; while (i < n) { i += 1 }; i }|;
       function body(n) { var i = 0; while| (i < n) { i += 1; i += 1; i }; i }|;
@@ -39,48 +40,53 @@ class CountedLoopTest {
       var box = Box.new|;
       function slots(b, k) { while (b.n < k) { b.n += 1; b.n }; while (b.n > 0) { b.n -= 2; b.up } }|;
       function grows(n) { var l = [0]; var i = 0; while (i < n) { l[0] += i; l << i; i++ }; l.size }|;
-      function used(name, n) {
-        var c = System.cycle;
-        switch (name) {
-          case "plain": echo(plain(n)); case "body": echo(body(n)); case "leaves": echo(leaves(n));
-          case "each": echo(each(n)); case "asks": echo(asks(n)); case "inner": echo(inner(n));
-          case "tries": tries(n); case "slots": slots(box, n); case "grows": echo(grows(n))
-        };
-        echo(name + ": " + (System.cycle - c))
-      }|;
-      function all(n) {
-        for (var name : ["plain", "body", "leaves", "each", "asks", "inner", "tries", "slots", "grows"])
-          used(name, n)
-      }|;
-      all(9); all(130); all(250);
-      { var c = System.cycle; plain(77), body(30) & leaves(20); each(9); echo(System.cycle - c) };
-      { var c = System.cycle; var i = 0; while (i < 40) { i += 1; i.none }; };
-      var t = Tag.new|; var seen = 0|;
-      t: while (true) { seen += 1; seen == 0 },
-      sleep(1ms)|; t.stop; var after = seen|; sleep(1ms)|; after == seen; after; System.cycle;
-      function starts(n) {
-        var i = 0;
-        while (i < n) { i += 1; lobby.seen = i; if (i == 60) detach({ echo(lobby.seen) }) }
-      }|;
-      starts(90); starts(90); sleep(1ms); System.cycle;
-      function exposed(n) {
-        var i = 0;
-        { sleep(1ms); i = -n } & while (i >= 0) { i += 1 };
-        i
-      }|;
-      exposed(5); exposed(6); System.cycle;
-      var plus = Float.getSlotValue("+")|;
-      function redefines(n) {
-        var i = 0; var s = 0;
-        while (i < n) {
-          i = i + 1; s = s - i;
-          if (i == 20) Float.'+' = function(x) { echo(System.cycle - lobby.start) | 21 };
-          if (i == 21) Float.'+' = lobby.getSlotValue("plus")
-        };
-        s
-      }|;
-      var start = System.cycle|; redefines(40); Float.setSlot("+", getSlotValue("plus"))|; System.cycle - start;
       """;
+
+  private static final String PROGRAM =
+      FUNCTIONS
+          + """
+          function used(name, n) {
+            var c = System.cycle;
+            switch (name) {
+              case "plain": echo(plain(n)); case "body": echo(body(n)); case "leaves": echo(leaves(n));
+              case "each": echo(each(n)); case "asks": echo(asks(n)); case "inner": echo(inner(n));
+              case "tries": tries(n); case "slots": slots(box, n); case "grows": echo(grows(n))
+            };
+            echo(name + ": " + (System.cycle - c))
+          }|;
+          function all(n) {
+            for (var name : ["plain", "body", "leaves", "each", "asks", "inner", "tries", "slots", "grows"])
+              used(name, n)
+          }|;
+          all(9); all(130); all(250);
+          { var c = System.cycle; plain(77), body(30) & leaves(20); each(9); echo(System.cycle - c) };
+          { var c = System.cycle; var i = 0; while (i < 40) { i += 1; i.none }; };
+          var t = Tag.new|; var seen = 0|;
+          t: while (true) { seen += 1; seen == 0 },
+          sleep(1ms)|; t.stop; var after = seen|; sleep(1ms)|; after == seen; after; System.cycle;
+          function starts(n) {
+            var i = 0;
+            while (i < n) { i += 1; lobby.seen = i; if (i == 60) detach({ echo(lobby.seen) }) }
+          }|;
+          starts(90); starts(90); sleep(1ms); System.cycle;
+          function exposed(n) {
+            var i = 0;
+            { sleep(1ms); i = -n } & while (i >= 0) { i += 1 };
+            i
+          }|;
+          exposed(5); exposed(6); System.cycle;
+          var plus = Float.getSlotValue("+")|;
+          function redefines(n) {
+            var i = 0; var s = 0;
+            while (i < n) {
+              i = i + 1; s = s - i;
+              if (i == 20) Float.'+' = function(x) { echo(System.cycle - lobby.start) | 21 };
+              if (i == 21) Float.'+' = lobby.getSlotValue("plus")
+            };
+            s
+          }|;
+          var start = System.cycle|; redefines(40); Float.setSlot("+", getSlotValue("plus"))|; System.cycle - start;
+          """;
 
   @ParameterizedTest
   @CsvSource({"1, 0", "2, 0", "5, 0", "1, 3", "3, 2"})
@@ -88,5 +94,28 @@ class CountedLoopTest {
     String interpreted = KernelSession.runCompiled(0, 0, 0, PROGRAM);
     assertFalse(interpreted.contains("syntax error"), interpreted);
     assertEquals(interpreted, KernelSession.runCompiled(threshold, doubt, 0, PROGRAM));
+  }
+
+  /** Whether there is anything to compare: a loop that calls somebody asks at each cycle. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          plain(9) | true
+          body(9) | true
+          leaves(9) | true
+          each(9) | true
+          asks(9) | false
+          inner(9) | true
+          tries(9) | true
+          slots(box, 9) | true
+          grows(9) | true
+          """)
+  void theseLoopsCount(String call, boolean counting) {
+    String calls = (call + "|; ").repeat(3);
+    String output =
+        KernelSession.runCompiled(2, 0, 0, FUNCTIONS + calls + "System.tier[\"counting\"] > 0;");
+    assertTrue(output.endsWith("] " + counting + "\n"), output);
   }
 }

@@ -30,7 +30,7 @@ public interface CodeCompiler {
 
         @Override
         public Statistics statistics() {
-          return new Statistics(0, 0, 0, 0);
+          return new Statistics(0, 0, 0, 0, 0);
         }
       };
 
@@ -39,10 +39,12 @@ public interface CodeCompiler {
    *
    * @param functions how many functions were compiled
    * @param loops how many loops were, besides those in compiled functions
+   * @param counting how many of all loops, of those in compiled functions, too, count their {@code
+   *     ;} themselves
    * @param refused how many were hot, but are not compiled
    * @param bytes how long the compiled code is
    */
-  record Statistics(int functions, int loops, int refused, long bytes) {}
+  record Statistics(int functions, int loops, int counting, int refused, long bytes) {}
 
   /** After how many calls a function is to be compiled; 0 for never. */
   int threshold();

@@ -69,6 +69,8 @@ abstract class CodeWriter {
     this.code = code;
     this.unit = unit;
     this.values = unit.values();
+    // What has been emitted before was thrown away, because its jumps were too short.
+    unit.counting().set(0);
     this.frame = code.parameterSlot(0);
     this.by = code.parameterSlot(unit.isLoop() ? 0 : 1);
     this.job = code.allocateLocal(TypeKind.REFERENCE);
@@ -111,6 +113,7 @@ abstract class CodeWriter {
 
   /** From here on the {@code ;} that pass are counted in the code itself. */
   void beginCounting() {
+    unit.counting().incrementAndGet();
     passing = newFlag();
     code.iconst_0().istore(passing);
   }

@@ -11,6 +11,7 @@ import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.lang.invoke.MethodHandles;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.FailureLog;
@@ -75,6 +76,7 @@ public final class Tier implements CodeCompiler {
 
   private int functions;
   private int loops;
+  private int counting;
   private int refused;
   private long bytes;
 
@@ -104,7 +106,7 @@ public final class Tier implements CodeCompiler {
 
   @Override
   public Statistics statistics() {
-    return new Statistics(functions, loops, refused, bytes);
+    return new Statistics(functions, loops, counting, refused, bytes);
   }
 
   @Override
@@ -122,6 +124,7 @@ public final class Tier implements CodeCompiler {
                       world.values(),
                       doubt,
                       new Misses(!last),
+                      new AtomicInteger(),
                       survey,
                       frame,
                       function,
@@ -164,6 +167,7 @@ public final class Tier implements CodeCompiler {
             world.values(),
             doubt,
             new Misses(!last),
+            new AtomicInteger(),
             survey,
             frame,
             null,
@@ -232,6 +236,7 @@ public final class Tier implements CodeCompiler {
     }
     CompiledCode compiled = instance(emitted, unit);
     bytes += emitted.length;
+    counting += unit.counting().get();
     inUse.add(compiled, emitted.length);
     return compiled;
   }

@@ -2,6 +2,7 @@ package org.urbi.kernel.tier;
 
 import java.lang.classfile.CodeBuilder;
 import java.lang.constant.ClassDesc;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
@@ -14,6 +15,7 @@ import org.urbi.kernel.object.Values;
  * @param owner the class that is emitted
  * @param doubt makes it distrust what it knows, for tests; or null
  * @param misses counts how often it meets what it has not expected
+ * @param counting how many of the loops that have been emitted count their {@code ;} themselves
  * @param frame the activation that needs it
  * @param function null for a loop, whose variables are used afterwards
  * @param locals the number of plain variables
@@ -25,6 +27,7 @@ record Unit(
     Values values,
     @Nullable Doubt doubt,
     Misses misses,
+    AtomicInteger counting,
     Survey survey,
     Frame frame,
     Function.@Nullable Body function,

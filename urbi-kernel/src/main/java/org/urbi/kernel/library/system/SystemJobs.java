@@ -99,8 +99,9 @@ final class SystemJobs {
 
   @Builtin(
       doc =
-          "After how many calls code is compiled, how many functions and loops were, how"
-              + " many were refused, and how many bytes they take in all.")
+          "After how many calls code is compiled, how many functions and loops were, how many loops"
+              + " count their `;` themselves, how many were refused, and how many bytes they take in"
+              + " all.")
   static UrbiObject tier(Frame frame, UrbiObject self) {
     CodeCompiler compiler = frame.interpreter().compiler();
     CodeCompiler.Statistics statistics = compiler.statistics();
@@ -108,6 +109,7 @@ final class SystemJobs {
     put(frame, entries, "threshold", compiler.threshold());
     put(frame, entries, "functions", statistics.functions());
     put(frame, entries, "loops", statistics.loops());
+    put(frame, entries, "counting", statistics.counting());
     put(frame, entries, "refused", statistics.refused());
     put(frame, entries, "bytes", statistics.bytes());
     return frame.interpreter().values().dictionary(entries);
