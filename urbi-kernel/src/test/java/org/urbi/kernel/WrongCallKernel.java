@@ -61,9 +61,6 @@ final class WrongCallKernel implements AutoCloseable {
 
   private static final int TURNS_TO_END = 50;
 
-  /** After so many waits besides, a call cannot be stopped. */
-  private static final int WAITS_TO_END = 750;
-
   /**
    * What only Java says, each with a word that is in it: looking for the word takes a tenth of the
    * time.
@@ -390,10 +387,6 @@ final class WrongCallKernel implements AutoCloseable {
       worker.terminate();
       for (int i = 0; i < TURNS_TO_END && worker.state() != JobState.ENDED; i++) {
         judge.yieldNow();
-      }
-      // It may wait inside Java for what another thread has: a lock, a class that is being loaded.
-      for (int i = 0; i < WAITS_TO_END && worker.state() != JobState.ENDED; i++) {
-        judge.waitForWake();
       }
       if (worker.state() != JobState.ENDED) {
         throw new Defect("cannot be stopped: " + call.source());
