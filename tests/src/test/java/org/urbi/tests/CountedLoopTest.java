@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -40,6 +41,20 @@ class CountedLoopTest {
       var box = Box.new|;
       function slots(b, k) { while (b.n < k) { b.n += 1; b.n }; while (b.n > 0) { b.n -= 2; b.up } }|;
       function grows(n) { var l = [0]; var i = 0; while (i < n) { l[0] += i; l << i; i++ }; l.size }|;
+      function chooses(n) {
+        var i = 0; var s = 0;
+        while (i < n) {
+          switch (i % 4) {
+            case 0: s += 1; var a = s; s += a; s %= 1000;
+            case 1: { var b = i; s -= b; s };
+            case 2: if (i % 3 == 0) { i += 1; continue } else { s += 2; s }
+          };
+          try { s += 1; if (i % 9 == 0) throw "nine"; s += 1 } catch (var e) { s += 3; s }
+          finally { s += 4; s };
+          i += 1
+        };
+        s
+      }|;
       """;
 
   private static final String PROGRAM =
@@ -50,12 +65,14 @@ class CountedLoopTest {
             switch (name) {
               case "plain": echo(plain(n)); case "body": echo(body(n)); case "leaves": echo(leaves(n));
               case "each": echo(each(n)); case "asks": echo(asks(n)); case "inner": echo(inner(n));
-              case "tries": tries(n); case "slots": slots(box, n); case "grows": echo(grows(n))
+              case "tries": tries(n); case "slots": slots(box, n); case "grows": echo(grows(n));
+              case "chooses": echo(chooses(n))
             };
             echo(name + ": " + (System.cycle - c))
           }|;
           function all(n) {
-            for (var name : ["plain", "body", "leaves", "each", "asks", "inner", "tries", "slots", "grows"])
+            for (var name : ["plain", "body", "leaves", "each", "asks", "inner", "tries", "slots", "grows",
+                             "chooses"])
               used(name, n)
           }|;
           all(9); all(130); all(250);
@@ -111,11 +128,28 @@ class CountedLoopTest {
           tries(9) | true
           slots(box, 9) | true
           grows(9) | true
+          chooses(9) | true
           """)
   void theseLoopsCount(String call, boolean counting) {
     String calls = (call + "|; ").repeat(3);
     String output =
         KernelSession.runCompiled(2, 0, 0, FUNCTIONS + calls + "System.tier[\"counting\"] > 0;");
     assertTrue(output.endsWith("] " + counting + "\n"), output);
+  }
+
+  /** Twice it would have more bytes than the Java machine compiles. */
+  @Test
+  void aLongLoopIsCompiledOnce() {
+    String program =
+        """
+        var before = System.tier["refused"]|;
+        function big(n) { var i = 0; var s = 0; while (i < n) { %s i += 1 }; s }|;
+        big(9); big(150); System.tier["refused"] - before;
+        """
+            .formatted("s += i; ".repeat(25));
+    String compiled = KernelSession.runCompiled(1, 0, 0, program);
+    assertTrue(compiled.contains("] 900\n"), compiled);
+    assertTrue(compiled.contains("] 279375\n"), compiled);
+    assertTrue(compiled.endsWith("] 0\n"), compiled);
   }
 }

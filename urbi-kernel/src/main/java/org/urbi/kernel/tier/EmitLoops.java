@@ -26,6 +26,10 @@ final class EmitLoops {
 
   private final Emitter to;
   private final Deque<Loop> around = new ArrayDeque<>();
+  private Copy copy = Copy.ONLY;
+
+  /** Where the {@code ;} of the slow copy ask, in their order. */
+  private final Deque<Label> asking = new ArrayDeque<>();
 
   EmitLoops(Emitter to) {
     this.to = to;
@@ -56,6 +60,18 @@ final class EmitLoops {
    * the turns of a loop around the other turns, so that it keeps numbers in registers in these.
    */
   private record Heads(Label usual, Label afterOthers) {}
+
+  /**
+   * The turns of some loops that count their {@code ;} are emitted twice. In the quick copy there
+   * is nothing but counting down at a {@code ;}, so that the Java machine has no calls in it, after
+   * which everything would have to be as it was. When nothing is left, the slow copy goes on at the
+   * same place, until the end of the turn.
+   */
+  private enum Copy {
+    ONLY,
+    SLOW,
+    QUICK
+  }
 
   static boolean canCount(ForEach loop) {
     return loop.isSequential() && loop.variable().declaredLocal() >= 0;
@@ -264,7 +280,9 @@ final class EmitLoops {
   private void pause(boolean yields, Heads heads) {
     if (yields) {
       yieldToOthers(heads.usual());
-      to.code.goto_(heads.afterOthers());
+      if (copy != Copy.QUICK) {
+        to.code.goto_(heads.afterOthers());
+      }
     } else {
       if (to.isCounting()) {
         to.job();
@@ -312,7 +330,37 @@ final class EmitLoops {
 
   private void turns(Loop loop, Node body, Parts parts, Label done) {
     Label afterOthers = to.beginRange();
-    Heads heads = new Heads(to.code.newBoundLabel(), afterOthers);
+    if (!isCopied(loop, body)) {
+      turn(loop, body, parts, new Heads(to.code.newBoundLabel(), afterOthers), done);
+      return;
+    }
+    Label usual = to.code.newLabel();
+    to.code.iload(to.passing()).ifgt(usual);
+    copy(Copy.SLOW, loop, body, parts, afterOthers, done);
+    to.code.labelBinding(usual);
+    Loop again = new Loop(to.code.newLabel(), loop.broken(), loop.jobs(), false);
+    copy(Copy.QUICK, again, body, parts, usual, done);
+  }
+
+  /**
+   * Whether the turns are emitted twice: the Java machine takes longer to compile them then, which
+   * pays if a {@code ;} in the body is as much work as what is around it.
+   */
+  private boolean isCopied(Loop loop, Node body) {
+    return to.isCounting()
+        && !loop.handled()
+        && to.unit.copiesLoops()
+        && Survey.of(body).isMostlyPauses();
+  }
+
+  /** Emits a copy of the turns. In both the same values are in the same slots. */
+  private void copy(Copy which, Loop loop, Node body, Parts parts, Label head, Label done) {
+    copy = which;
+    to.releasing(() -> turn(loop, body, parts, new Heads(head, head), done));
+    copy = Copy.ONLY;
+  }
+
+  private void turn(Loop loop, Node body, Parts parts, Heads heads, Label done) {
     parts.head(done);
     around.push(loop);
     Label start = to.beginRange();
@@ -357,11 +405,18 @@ final class EmitLoops {
    */
   private void yieldToOthers(Label passed) {
     Label over = to.code.newLabel();
+    if (copy == Copy.QUICK) {
+      to.code.iload(to.passing()).ifle(asking.remove()).iinc(to.passing(), -1).goto_(passed);
+      return;
+    }
     if (to.isCounting()) {
       Label more = to.code.newLabel();
       Label none = to.code.newLabel();
       to.code.iload(to.passing()).ifle(more).iinc(to.passing(), -1).goto_(passed);
       to.code.labelBinding(more);
+      if (copy == Copy.SLOW) {
+        asking.add(more);
+      }
       to.yields();
       to.code.invokevirtual(Names.YIELDS, "borrow", MethodTypeDesc.of(CD_int));
       to.code.dup().istore(to.passing()).ifle(none).iinc(to.passing(), -1).goto_(over);

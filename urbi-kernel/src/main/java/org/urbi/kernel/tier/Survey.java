@@ -124,6 +124,11 @@ final class Survey {
     return pauses && loops == 0 && !hides && !passes && !callsLocal;
   }
 
+  /** Whether there is a {@code ;} in it, and otherwise only what takes no longer than that. */
+  boolean isMostlyPauses() {
+    return pausesOften() && messages.isEmpty();
+  }
+
   /** The messages that are sent in it. */
   List<MessageSend> messages() {
     return messages;

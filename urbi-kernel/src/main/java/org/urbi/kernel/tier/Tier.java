@@ -129,7 +129,8 @@ public final class Tier implements CodeCompiler {
                       frame,
                       function,
                       function.locals(),
-                      false),
+                      false,
+                      true),
                   new EmitFunction(code))
               : null;
         });
@@ -172,7 +173,8 @@ public final class Tier implements CodeCompiler {
             frame,
             null,
             CompiledCode.variables(frame),
-            !turns.isAlone() || survey.mayJump()),
+            !turns.isAlone() || survey.mayJump(),
+            true),
         (type, unit) ->
             type.withMethodBody(
                 "run",
@@ -218,10 +220,17 @@ public final class Tier implements CodeCompiler {
   }
 
   private @Nullable CompiledCode compile(Unit unit, Emission emission) {
-    return unit.locals() > MOST_LOCALS || !inUse.hasRoom() ? null : emit(unit, emission);
+    if (unit.locals() > MOST_LOCALS || !inUse.hasRoom()) {
+      return null;
+    }
+    try {
+      return emit(unit, emission);
+    } catch (TooLong e) {
+      return emit(unit.withoutCopies(), emission);
+    }
   }
 
-  private @Nullable CompiledCode emit(Unit unit, Emission emission) {
+  private CompiledCode emit(Unit unit, Emission emission) {
     byte[] emitted =
         files.build(
             unit.owner(),
@@ -232,7 +241,7 @@ public final class Tier implements CodeCompiler {
               unit.constants().declare(type, unit.owner());
             });
     if (length(emitted) > MOST_BYTES) {
-      return null;
+      throw new TooLong();
     }
     CompiledCode compiled = instance(emitted, unit);
     bytes += emitted.length;

@@ -20,6 +20,7 @@ import org.urbi.kernel.object.Values;
  * @param function null for a loop, whose variables are used afterwards
  * @param locals the number of plain variables
  * @param guarded whether somebody may look at the variables when an exception has left it
+ * @param copiesLoops whether there is room for loops that are emitted twice
  */
 record Unit(
     ClassDesc owner,
@@ -32,10 +33,28 @@ record Unit(
     Frame frame,
     Function.@Nullable Body function,
     int locals,
-    boolean guarded) {
+    boolean guarded,
+    boolean copiesLoops) {
   /** Pushes an object of the kernel. */
   void constant(CodeBuilder code, Object value, ClassDesc type) {
     code.getstatic(owner, constants.name(value, type), type);
+  }
+
+  /** The same, as short as possible. */
+  Unit withoutCopies() {
+    return new Unit(
+        owner,
+        new Constants(),
+        values,
+        doubt,
+        misses,
+        counting,
+        survey,
+        frame,
+        function,
+        locals,
+        guarded,
+        false);
   }
 
   boolean isLoop() {
