@@ -373,8 +373,8 @@ public final class Kernel implements AutoCloseable {
   }
 
   /**
-   * For how long the running job has held the kernel, in nanoseconds. Only measured if {@link
-   * KernelBuilder#maxHold} is set.
+   * For how long the running job has held the kernel, in nanoseconds. Without {@link
+   * KernelBuilder#maxHold} that is measured from the first time on that somebody asks.
    */
   public long heldFor() {
     return outOfBand.heldFor();

@@ -68,7 +68,11 @@ final class OutOfBandControl {
   /** For how long a job has held the kernel, in nanoseconds. */
   long heldFor() {
     HoldWatchdog who = watch;
-    return who == null ? 0 : who.heldFor();
+    if (who == null) {
+      return 0;
+    }
+    who.measureHolds();
+    return who.heldFor();
   }
 
   /** What holds the kernel, and where in Java it is, innermost call first. */

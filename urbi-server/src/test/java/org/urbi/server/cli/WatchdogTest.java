@@ -47,6 +47,22 @@ class WatchdogTest {
     }
   }
 
+  /**
+   * A server may let jobs hold it as long as they like; its supervisor hears of it all the same.
+   */
+  @Test
+  void jobThatMayHoldTheKernelEndsTheProcessAllTheSame() throws Exception {
+    try (Kernel kernel = Kernel.builder().start()) {
+      kernel.embedding().define("over", none -> end.isDone());
+      Watchdog watchdog = watchdog(kernel, 0, Duration.ofMillis(100));
+      kernel.embedding().evalAsync("while| (!over()) {};");
+      assertEquals(ExitStatus.STUCK, status());
+      watchdog.stop();
+      String text = told.toString(StandardCharsets.UTF_8);
+      assertTrue(text.contains("urbi: the kernel has been held for "), text);
+    }
+  }
+
   @Test
   void processThatIgnoresTerminationIsEnded() throws Exception {
     try (Kernel kernel = Kernel.builder().start()) {
