@@ -225,4 +225,113 @@ class TagScopeTest {
     assertEquals(List.of("stopped"), loop.run());
     assertFalse(tag.scopes.stream().anyMatch(scope -> scope != outer));
   }
+
+  @Test
+  void aScopeIsAfterAStatementIfItOrOneAroundBelongsToALaterOne() {
+    assertFalse(inner.isAfter(0));
+    outer.isForStatement(3);
+    assertFalse(inner.isAfter(3));
+    assertTrue(inner.isAfter(2));
+    assertTrue(outer.isAfter(2));
+    assertFalse(root.isAfter(0));
+    inner.isForStatement(5);
+    assertTrue(inner.isAfter(4));
+    assertFalse(outer.isAfter(4));
+  }
+
+  /** Of the jobs that have entered a tag, only those that are not too young count. */
+  @Test
+  void aScopeIsWithinATagThatAnOlderJobHasEntered() {
+    Job older = jobUnder(root);
+    Job younger = jobUnder(root);
+    TagState entered = new TagState();
+    TagScope byOlder = new TagScope(entered, outer, older);
+    TagScope below = new TagScope(other, byOlder, null);
+    TagScope byYounger = new TagScope(entered, outer, younger);
+    assertTrue(byOlder.isOf(older.number()));
+    assertFalse(byYounger.isOf(older.number()));
+    assertTrue(byYounger.isOf(younger.number()));
+    assertTrue(outer.isOf(0));
+    assertTrue(below.isWithin(entered, older.number()));
+    assertFalse(byYounger.isWithin(entered, older.number()));
+    assertFalse(outer.isWithin(entered, Long.MAX_VALUE));
+    assertTrue(entered.isStopped(jobUnder(below), older.number()));
+    assertFalse(entered.isStopped(jobUnder(byYounger), older.number()));
+    assertFalse(entered.isStopped(older, Long.MAX_VALUE));
+  }
+
+  @Test
+  void onlyWhatStatementsUpToANumberHaveBegunIsStopped() {
+    TagState shared = new TagState();
+    TagScope early = new TagScope(new TagState(), root, null);
+    TagScope late = new TagScope(new TagState(), root, null);
+    early.isForStatement(1);
+    late.isForStatement(2);
+    new TagScope(shared, early, null).add(handler("early"));
+    new TagScope(shared, late, null).add(handler("late"));
+    shared.stopStatements(loop.scheduler, value, 1);
+    assertEquals(1, told.size());
+    assertTrue(told.getFirst().startsWith("early "), told::toString);
+  }
+
+  @Test
+  void aScopeIsOverWhenItWasEndedAndNothingIsLeft() {
+    Job job = jobUnder(inner);
+    assertFalse(inner.isOver());
+    inner.end();
+    assertFalse(inner.isOver());
+    inner.remove(job);
+    assertTrue(inner.isOver());
+    assertFalse(outer.isOver());
+  }
+
+  @Test
+  void whatIsDetachedOutlivesItsConnection() {
+    assertFalse(inner.isDetached());
+    TagScope detached = new TagScope(TagState.ofDetached(), outer, null);
+    assertTrue(detached.isDetached());
+    assertTrue(new TagScope(other, detached, null).isDetached());
+    assertFalse(tag.isDetached());
+  }
+
+  @Test
+  void aTagIsFoundByItsNumber() {
+    TagScope branch = TagScope.branch(loop.scheduler, other, root);
+    TagScope below = TagScope.branch(loop.scheduler, tag, branch);
+    assertEquals(List.of(1L, 2L), List.of(other.number(), tag.number()));
+    assertSame(other, branch.tag(1));
+    assertSame(tag, branch.tag(2));
+    assertSame(tag, below.tag(2));
+    assertNull(below.tag(1));
+    assertNull(root.tag(3));
+  }
+
+  @Test
+  void aTagCanRunWhileAJobUnderItDoesNotWait() {
+    TagScope scope = new TagScope(other, loop.scheduler.rootScope(), null);
+    assertFalse(other.canRun());
+    loop.start(
+        scope,
+        job -> {
+          assertTrue(job.canRun());
+          assertTrue(other.canRun());
+          job.sleepUntil(Loop.SECOND);
+        });
+    loop.start(by -> {
+      by.yieldNow();
+      assertFalse(other.canRun());
+      assertEquals(Loop.SECOND, Loop.jobsUnder(scope).getFirst().deadline());
+    });
+    loop.run();
+  }
+
+  @Test
+  void aTagIsOnlyOfALobbyIfAllItsJobsAre() {
+    UrbiObject lobby = loop.lobby();
+    new Job(loop.scheduler, job -> {}, "job", lobby, inner, null, 0);
+    assertTrue(tag.isOnlyOf(lobby));
+    assertFalse(tag.isOnlyOf(loop.lobby()));
+    new Job(loop.scheduler, job -> {}, "job", loop.lobby(), inner, null, 0);
+    assertFalse(tag.isOnlyOf(lobby));
+  }
 }
