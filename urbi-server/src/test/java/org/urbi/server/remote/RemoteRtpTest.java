@@ -131,7 +131,7 @@ class RemoteRtpTest {
 
   private void use(int datagram) throws Exception {
     eval("loadModule(\"urbi/rtp\")");
-    RtpOptions options = new RtpOptions(datagram, relay.port(), Duration.ofSeconds(5));
+    RtpOptions options = new RtpOptions(datagram, relay.port(), TestTimeout.LONG);
     assertTrue(remote.useRtp(options).get());
   }
 
@@ -157,7 +157,7 @@ class RemoteRtpTest {
   @Test
   void lastOfSeveralRtpOffersCounts() throws Exception {
     eval("loadModule(\"urbi/rtp\")");
-    RtpOptions options = new RtpOptions(0, relay.port(), Duration.ofSeconds(5));
+    RtpOptions options = new RtpOptions(0, relay.port(), TestTimeout.LONG);
     for (int i = 0; i < 20; i++) {
       remote.useRtp(options);
     }
