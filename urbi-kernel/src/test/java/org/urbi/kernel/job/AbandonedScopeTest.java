@@ -49,6 +49,10 @@ class AbandonedScopeTest {
             loop.say("cleaned up");
           }
         });
+    clientLeaves();
+  }
+
+  private void clientLeaves() {
     loop.start(other -> {
       other.sleepUntil(SECOND);
       client.abandon(scheduler, null);
@@ -198,10 +202,7 @@ class AbandonedScopeTest {
             loop.say("later");
           }
         });
-    loop.start(other -> {
-      other.sleepUntil(SECOND);
-      client.abandon(scheduler, null);
-    });
+    clientLeaves();
     runToTheEnd();
     assertEquals(List.of("left", "below ends", "later"), loop.said);
   }
