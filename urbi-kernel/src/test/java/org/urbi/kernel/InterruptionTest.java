@@ -20,8 +20,17 @@ class InterruptionTest {
 
   /** A client that counts down when it is answered "alive". */
   private Connection client(CountDownLatch alive) {
+    return client(alive, "");
+  }
+
+  private Connection client(CountDownLatch alive, String budget) {
     return kernel.connect(
         new Client() {
+          @Override
+          public String budget() {
+            return budget;
+          }
+
           @Override
           public void output(String bytes) {
             if (bytes.contains("alive")) {
@@ -62,6 +71,18 @@ class InterruptionTest {
         "var o = Object.new; function o.asString() { begun; loop| 1 }; {throw o},",
       })
   void theInterruptKeyEndsWhateverRuns(String program) throws Exception {
+    interrupts(program, "");
+  }
+
+  /** To tell what is wrong with a statement runs code, too, before the statement does. */
+  @Test
+  void theInterruptKeyEndsTheTextOfWhatEndedTheReader() throws Exception {
+    interrupts(
+        "Exception.asString = function () { begun; loop| 1 };\n1" + "&1".repeat(500_000) + ";",
+        "memory=1M");
+  }
+
+  private void interrupts(String program, String budget) throws Exception {
     kernel.define(
         "begun",
         nothing -> {
@@ -71,7 +92,7 @@ class InterruptionTest {
     CountDownLatch judged = new CountDownLatch(1);
     CountDownLatch answered = new CountDownLatch(1);
     Connection judge = client(judged);
-    Connection busy = client(answered);
+    Connection busy = client(answered, budget);
     busy.send(program + "\n");
     begun.await();
     judge.send("echo(\"alive\");\n");

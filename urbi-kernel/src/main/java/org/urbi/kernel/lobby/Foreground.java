@@ -74,16 +74,13 @@ final class Foreground {
         }
         shell.yield();
       } catch (TagStop stop) {
-        if (closed.getAsBoolean()) {
-          throw stop;
-        }
-        interrupted = stop.isInterruption();
+        interrupted = isInterruption(stop);
       } catch (ControlFlowException unwinding) {
         // A return or break outside of functions and loops is ignored.
       } catch (Throwable failure) {
         interpreter.scheduler().memory().recover(failure);
         interpreter.scheduler().beginTurn();
-        interpreter.report(shell, failure);
+        interrupted = isInterruptedByReport(shell, failure);
       } finally {
         shell.leave(scope);
       }
@@ -119,6 +116,23 @@ final class Foreground {
       return false;
     } finally {
       shell.leave(scope);
+    }
+  }
+
+  private boolean isInterruption(TagStop stop) {
+    if (closed.getAsBoolean()) {
+      throw stop;
+    }
+    return stop.isInterruption();
+  }
+
+  /** Shows what has ended a statement; its text may be code of users, too. */
+  private boolean isInterruptedByReport(Job shell, Throwable failure) {
+    try {
+      interpreter.report(shell, failure);
+      return false;
+    } catch (TagStop stop) {
+      return isInterruption(stop);
     }
   }
 

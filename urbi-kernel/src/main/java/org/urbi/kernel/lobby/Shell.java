@@ -259,16 +259,12 @@ public final class Shell {
           }
           item = nextItem(shell);
         } catch (TagStop stop) {
-          if (closed || !stop.isInterruption()) {
-            throw stop;
-          }
-          foreground.awaitMessage(shell);
+          interrupted(shell, stop);
           continue;
         } catch (ControlFlowException unwinding) {
           throw unwinding;
         } catch (UrbiException overdue) {
-          interpreter.scheduler().beginTurn();
-          interpreter.report(shell, overdue);
+          report(shell, overdue);
           continue;
         } catch (Throwable failure) {
           failed("the reader", failure);
@@ -391,14 +387,10 @@ public final class Shell {
     try {
       compiled = Compilation.compile(interpreter, statement.tree(), imports);
     } catch (TagStop stop) {
-      if (closed || !stop.isInterruption()) {
-        throw stop;
-      }
-      foreground.awaitMessage(shell);
+      interrupted(shell, stop);
       return;
     } catch (UrbiException e) {
-      interpreter.scheduler().beginTurn();
-      interpreter.report(shell, e);
+      report(shell, e);
       return;
     } catch (Throwable failure) {
       failed("the compiler", failure);
@@ -433,6 +425,24 @@ public final class Shell {
             lobby.remoteObjects().statementOver();
           }
         });
+  }
+
+  /** A statement was interrupted before it began: the input behind it is dropped, too. */
+  private void interrupted(Job shell, TagStop stop) {
+    if (closed || !stop.isInterruption()) {
+      throw stop;
+    }
+    foreground.awaitMessage(shell);
+  }
+
+  /** Shows what ended a statement before it began; the text may be code that is interrupted. */
+  private void report(Job shell, UrbiException ended) {
+    interpreter.scheduler().beginTurn();
+    try {
+      interpreter.report(shell, ended);
+    } catch (TagStop stop) {
+      interrupted(shell, stop);
+    }
   }
 
   /** Reports a bug of ours to the client, and continues. */
