@@ -22,12 +22,16 @@ class LastClausesTest {
 
   /** A client sends that, and leaves while it runs; then time goes by. */
   private void visit(String program) {
+    visit(program, "sleep(10s)");
+  }
+
+  private void visit(String program, String meanwhile) {
     judge.say("var Global.e = Event.new; var Global.told = []; var Global.f = Event.new;");
     TestClient client = new TestClient(kernel, Role.OWNER);
     client.connection().send(program + "\n");
     judge.say("sleep(1s);");
     client.connection().close();
-    judge.say("sleep(10s);");
+    judge.say(meanwhile + ";");
   }
 
   private int jobs() {
@@ -122,6 +126,77 @@ class LastClausesTest {
           "1", observer.say("while (System.jobs.size != 1) sleep(2ms); System.jobs.size;"));
       assertEquals("false", observer.say("Global.e.hasSubscribers;"));
     }
+  }
+
+  /** A client that has left will not unfreeze what it has frozen, and others need not. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "var t = Tag.new|; t: { CLAUSE }, sleep(500ms); t.freeze;",
+        "var t = Tag.new|; t: { CLAUSE }, sleep(500ms); t.freeze; t.unfreeze; t.freeze;",
+        "var t = Tag.new|; var u = Tag.new|; t: u: { CLAUSE }, sleep(500ms); u.freeze; t.freeze;",
+        "var t = Tag.new|; t: t: { CLAUSE }, sleep(500ms); t.freeze;",
+        "var t = Tag.new|; t: { sleep(inf) & { CLAUSE } }, sleep(500ms); t.freeze;",
+        "var t = Tag.new|; t: detach({ CLAUSE }); sleep(500ms); t.freeze;",
+        "var t = Tag.new|; t: { at (Global.f?) { CLAUSE } }; Global.f!; sleep(500ms); t.freeze;",
+        "var t = Tag.new|; t: { for (var i : [1]) { CLAUSE } }, sleep(500ms); t.freeze; sleep(inf);",
+        "{ CLAUSE }, sleep(500ms); lobby.connectionTag.freeze;",
+        "freezeif (Global.told.size == 0) { CLAUSE }, sleep(inf);",
+        "Global.t: { CLAUSE }, sleep(500ms); Global.t.freeze;",
+        "Global.t: { CLAUSE },",
+      })
+  void aFrozenTagDoesNotKeepItFromItsEnd(String around) {
+    judge.say("var Global.t = Tag.new; var Global.begin = Event.new; var Global.end = Event.new;");
+    judge.say("Global.t: { waituntil (Global.end?) | Global.told << 2 },");
+    String clause =
+        "try { sleep(inf) } finally { waituntil (Global.begin?) | { sleep(1s) & sleep(100ms) }"
+            + " | var n = 0 | every| (1s) { n += 1 | if (n == 3) break } | Global.told << 1 }";
+    visit(
+        around.replace("CLAUSE", clause),
+        "sleep(1s); Global.t.freeze; Global.begin!; sleep(10s); Global.end!; sleep(1s)");
+    assertEquals("[1]", judge.say("Global.told;"));
+    assertEquals(2, jobs());
+    judge.say("Global.t.unfreeze; Global.end!; sleep(1s);");
+    assertEquals("[1, 2]", judge.say("Global.told;"));
+    assertEquals(1, jobs());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "t.freeze | sleep(100ms) | Global.told << 1",
+        "t.freeze; { sleep(100ms), 1 }; Global.told << 1",
+        "detach({ t.freeze; sleep(100ms); Global.told << 1 }) | sleep(1s)",
+        "at (Global.e?) { Global.told << 1 }; t.freeze; Global.e!; sleep(100ms)",
+        "at (Global.e?) { sleep(100ms) | Global.told << 1 } | t.freeze | Global.e! | sleep(1s)",
+        "t.freeze; whenever (Global.told.empty) { sleep(100ms) | Global.told << 1 } | sleep(1s)",
+        "detach({ waituntil (Global.e?) | Global.told << 1 }); t.freeze; Global.e!; sleep(1s)",
+        "t.freeze; timeout (1s) sleep(inf); Global.told << 1",
+        "t.freeze | try { 1 } finally { sleep(100ms) | Global.told << 1 }",
+      })
+  void aClauseThatFreezesTheTagAroundItEnds(String clause) {
+    visit("var t = Tag.new|; t: { " + ending(clause) + " },");
+    assertEquals("[1]", judge.say("Global.told;"));
+    assertEquals(1, jobs());
+    assertEquals("false", judge.say("Global.e.hasSubscribers;"));
+  }
+
+  /** It may use tags of its own as always. */
+  @Test
+  void whatAClauseFreezesInItselfWaits() {
+    visit(
+        ending(
+            "var u = Tag.new | { { u: { sleep(100ms) | Global.told << 2 } }"
+                + " & { u.freeze | sleep(1s) | Global.told << 1 | u.unfreeze } }"));
+    assertEquals("[1, 2]", judge.say("Global.told;"));
+    assertEquals(1, jobs());
+  }
+
+  /** Nor does what it leaves frozen there stay. */
+  @Test
+  void whatItHasFrozenEndsWithIt() {
+    visit(ending("var u = Tag.new | u.freeze | detach({ u: sleep(1s) }) | sleep(1s)"));
+    assertEquals(1, jobs());
   }
 
   @Test

@@ -78,7 +78,7 @@ public final class Job extends JobFacts implements Runnable {
     this.grouped = group == null ? null : new JobList.Link(this);
     this.thread = scheduler.threads().create(this);
     this.stopsMet = scheduler.stops().begun();
-    this.time = new JobTime(this, scope.frozenDepth(), timeShift);
+    this.time = new JobTime(this, scope.isFrozen(), timeShift);
     scope.add(this);
     if (creator != null && creator.observer != null) {
       observer = creator.observer.forChild();
@@ -201,7 +201,7 @@ public final class Job extends JobFacts implements Runnable {
     }
     scheduler.ended(this);
     if (scope.isShelterOf(this)) {
-      scheduler.attempt(() -> scope.endShelter(scheduler));
+      scheduler.attempt(() -> endShelters(scope));
     }
     if (group != null) {
       group.childEnded(this, failure);
@@ -476,8 +476,13 @@ public final class Job extends JobFacts implements Runnable {
     if (injected instanceof TagStop stop && stop.scope() == left) {
       injected = null;
     }
-    if (before.isShelterOf(this)) {
-      before.endShelter(scheduler);
+    endShelters(before);
+  }
+
+  /** It has left that scope: what it has begun there for cleaning up ends. */
+  private void endShelters(TagScope before) {
+    for (TagScope each = before; each.isShelterOf(this); each = each.parent()) {
+      each.endShelter(scheduler);
     }
   }
 
@@ -485,7 +490,7 @@ public final class Job extends JobFacts implements Runnable {
     scope.remove(this);
     other.add(this);
     scope = other;
-    time.moveUnder(other.frozenDepth());
+    followTags();
   }
 
   /** Suspends this job if it has just been frozen, by itself or by the code it entered. */
@@ -497,19 +502,26 @@ public final class Job extends JobFacts implements Runnable {
 
   /** Suspends this job alone, whatever its tags do, until {@link #unfreezeAlone}. */
   public void freezeAlone() {
-    time.freezeAlone();
+    time.setFrozenAlone(true);
   }
 
   /** Ends what {@link #freezeAlone} has begun. */
   public void unfreezeAlone() {
-    time.unfreezeAlone();
+    time.setFrozenAlone(false);
   }
 
-  void freeze() {
-    time.freeze();
+  /** A tag was frozen or no longer is, or the job has come under other ones. */
+  void followTags() {
+    time.setFrozenByTags(scope.isFrozen());
   }
 
-  void unfreeze() {
+  /**
+   * Ends what it executes in that scope for good: see {@link TagScope#isAbandoned}. It cleans up,
+   * and whoever has frozen it keeps it no longer from that.
+   */
+  void abandon(TagScope stopped, TagStop unwinding) {
+    inject(unwinding);
+    scope.abandonShelters(stopped);
     time.unfreeze();
   }
 

@@ -10,9 +10,7 @@ final class JobTime implements Runnable {
   private final Job job;
   private Timers.@Nullable Timer timer;
 
-  /** How many frozen tags are around it; frozen alone it counts as one of them. */
-  private int frozenDepth;
-
+  private boolean frozenByTags;
   private boolean frozenAlone;
 
   /** Whether its turn came while it was frozen, so that it is in no queue. */
@@ -21,9 +19,9 @@ final class JobTime implements Runnable {
   private long frozenSince;
   private long shift;
 
-  JobTime(Job job, int frozenDepth, long shift) {
+  JobTime(Job job, boolean frozenByTags, long shift) {
     this.job = job;
-    this.frozenDepth = frozenDepth;
+    this.frozenByTags = frozenByTags;
     this.frozenSince = now();
     this.shift = shift;
   }
@@ -33,7 +31,7 @@ final class JobTime implements Runnable {
   }
 
   boolean isFrozen() {
-    return frozenDepth > 0;
+    return frozenByTags || frozenAlone;
   }
 
   /** How many nanoseconds it has been frozen in all. */
@@ -49,7 +47,7 @@ final class JobTime implements Runnable {
   /** The job will be woken at that time of the scheduler. */
   void sleepUntil(long deadline) {
     timer = job.scheduler().timers().addUncounted(deadline, job.account(), this);
-    if (frozenDepth > 0) {
+    if (isFrozen()) {
       timer.cancel();
     }
   }
@@ -70,51 +68,47 @@ final class JobTime implements Runnable {
     }
   }
 
-  /** The running job has come under so many frozen tags. */
-  void moveUnder(int frozenTags) {
-    int depth = frozenTags + (frozenAlone ? 1 : 0);
-    if (depth > 0 && frozenDepth == 0) {
-      frozenSince = now();
-    }
-    frozenDepth = depth;
+  /** Says whether a tag around the job is frozen. */
+  void setFrozenByTags(boolean is) {
+    freeze(is, frozenAlone);
   }
 
-  /** Freezes the job, whatever the tags around it do. */
-  void freezeAlone() {
-    if (!frozenAlone) {
-      frozenAlone = true;
-      freeze();
-    }
+  /** Freezes the job, whatever the tags around it do, or no longer. */
+  void setFrozenAlone(boolean is) {
+    freeze(frozenByTags, is);
   }
 
-  void unfreezeAlone() {
-    if (frozenAlone) {
-      frozenAlone = false;
-      unfreeze();
-    }
-  }
-
-  /** One more tag around it is frozen. */
-  void freeze() {
-    if (frozenDepth++ == 0) {
-      frozenSince = now();
-      if (timer != null) {
-        timer.cancel();
-      }
-    }
-  }
-
-  /** One less tag around it is frozen. */
+  /** Whatever has frozen the job does so no longer. */
   void unfreeze() {
-    if (--frozenDepth == 0) {
-      long now = now();
-      shift += now - frozenSince;
-      if (timer != null) {
-        long left = timer.deadline() - frozenSince;
-        timer = job.scheduler().timers().moved(timer, now + left, this);
-      } else if (release()) {
-        job.scheduler().enqueue(job);
-      }
+    freeze(false, false);
+  }
+
+  private void freeze(boolean byTags, boolean alone) {
+    boolean was = isFrozen();
+    frozenByTags = byTags;
+    frozenAlone = alone;
+    if (isFrozen() && !was) {
+      standStill();
+    } else if (was && !isFrozen()) {
+      goOn();
+    }
+  }
+
+  private void standStill() {
+    frozenSince = now();
+    if (timer != null) {
+      timer.cancel();
+    }
+  }
+
+  private void goOn() {
+    long now = now();
+    shift += now - frozenSince;
+    if (timer != null) {
+      long left = timer.deadline() - frozenSince;
+      timer = job.scheduler().timers().moved(timer, now + left, this);
+    } else if (release()) {
+      job.scheduler().enqueue(job);
     }
   }
 

@@ -97,7 +97,11 @@ final class StopOfTag extends Stop {
         last = new TagStop(stopped, value);
         unwinding = last;
       }
-      job.inject(last);
+      if (dismissing) {
+        job.abandon(stopped, last);
+      } else {
+        job.inject(last);
+      }
     }
   }
 

@@ -108,6 +108,13 @@ public final class TagScope {
     abandoned = true;
   }
 
+  /** What runs here, below that scope, was abandoned with all the shelters it had found there. */
+  void abandonShelters(TagScope above) {
+    for (TagScope scope = this; scope != above; scope = scope.parent()) {
+      scope.abandoned |= scope.shelter;
+    }
+  }
+
   /**
    * Whether all that is here has been told to end for good, because its client has left, so that
    * nobody would end what begins here now.
@@ -245,12 +252,7 @@ public final class TagScope {
 
   /** Whether handlers here must not react: they are frozen, or about to be stopped. */
   public boolean isSilent() {
-    for (TagScope scope = this; scope != null; scope = scope.parent) {
-      if (scope.stops > 0 || scope.tag.isFrozen()) {
-        return true;
-      }
-    }
-    return false;
+    return isFrozen() || isStopping();
   }
 
   /** Whether handlers here are about to be stopped. */
@@ -263,18 +265,21 @@ public final class TagScope {
     return false;
   }
 
-  /** Whether a surrounding tag suspends the code here. */
+  /**
+   * Whether a surrounding tag suspends the code here. What is {@linkplain #isAbandoned abandoned}
+   * is to clean up and end, although perhaps nobody is left who would unfreeze the tag; what it
+   * begins meanwhile, in a shelter, only tags in that shelter suspend.
+   */
   public boolean isFrozen() {
-    return frozenDepth() > 0;
-  }
-
-  /** The number of frozen tags on this scope and the surrounding ones. */
-  int frozenDepth() {
-    int frozen = 0;
+    boolean frozen = false;
     for (TagScope scope = this; scope != null; scope = scope.parent) {
-      if (scope.tag.isFrozen()) {
-        frozen++;
+      if (scope.abandoned) {
+        return false;
       }
+      if (scope.shelter) {
+        return frozen;
+      }
+      frozen |= scope.tag.isFrozen();
     }
     return frozen;
   }

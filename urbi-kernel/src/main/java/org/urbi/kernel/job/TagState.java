@@ -169,24 +169,21 @@ public final class TagState {
 
   /**
    * Suspends the code under this tag, and code that enters it later; its time stands still
-   * meanwhile.
+   * meanwhile. What cleans up for a client that has left goes on (see {@link TagScope#isFrozen}).
    */
   public void freeze() {
-    if (!frozen) {
-      frozen = true;
-      for (Job job : jobs()) {
-        job.freeze();
-      }
-    }
+    setFrozen(true);
   }
 
   public void unfreeze() {
-    if (frozen) {
+    setFrozen(false);
+  }
+
+  private void setFrozen(boolean is) {
+    if (frozen != is) {
       List<Job> jobs = jobs();
-      frozen = false;
-      for (Job job : jobs) {
-        job.unfreeze();
-      }
+      frozen = is;
+      jobs.forEach(Job::followTags);
     }
   }
 

@@ -98,6 +98,119 @@ class AbandonedScopeTest {
     assertFalse(client.isUsed());
   }
 
+  /** Perhaps nobody is left who would unfreeze it. */
+  @Test
+  void whatIsAbandonedIsNotFrozen() {
+    TagState tag = new TagState();
+    TagScope inner = new TagScope(tag, connection, null);
+    tag.freeze();
+    client.freeze();
+    assertTrue(inner.isFrozen());
+    assertTrue(inner.isSilent());
+    connection.abandon();
+    assertFalse(inner.isFrozen());
+    assertFalse(inner.isSilent());
+    TagScope shelter = TagScope.shelter(inner, loop.idle(loop.lobby()));
+    TagScope below = new TagScope(new TagState(), shelter, null);
+    assertFalse(shelter.isFrozen());
+    assertFalse(below.isSilent());
+    below.tag().freeze();
+    assertTrue(below.isFrozen());
+    assertTrue(below.isSilent());
+    assertFalse(shelter.isFrozen());
+    shelter.abandon();
+    assertFalse(below.isFrozen());
+  }
+
+  @Test
+  void aFrozenJobThatIsAbandonedCleansUp() {
+    leaving(job -> {
+      assertFalse(job.isFrozen());
+      job.sleepUntil(3 * SECOND);
+      client.unfreeze();
+      client.freeze();
+      job.sleepUntil(5 * SECOND);
+      assertEquals(5 * SECOND, scheduler.now());
+    });
+    loop.start(other -> client.freeze());
+    runToTheEnd();
+    assertEquals(List.of("cleaned up"), loop.said);
+  }
+
+  @Test
+  void soDoesOneThatWasFrozenAlone() {
+    Job held =
+        loop.start(
+            connection,
+            job -> {
+              try {
+                job.freezeAlone();
+                job.waitWhileFrozen();
+              } finally {
+                job.sleepUntil(3 * SECOND);
+                loop.say("cleaned up at " + scheduler.now() / SECOND);
+              }
+            });
+    clientLeaves();
+    runToTheEnd();
+    assertEquals(List.of("cleaned up at 3"), loop.said);
+    assertFalse(held.isFrozen());
+  }
+
+  /** What cleaning up freezes itself is frozen, and by others, too; but not for ever. */
+  @Test
+  void whatIsFrozenInAShelterGoesOnWhenThatIsAbandoned() {
+    TagState tag = new TagState();
+    leaving(job -> {
+      loop.start(
+          new TagScope(tag, job.scopeForNew(), null),
+          begun -> {
+            try {
+              begun.sleepUntil(3 * SECOND);
+              loop.say("has gone on");
+            } finally {
+              begun.sleepUntil(8 * SECOND);
+              loop.say("child ends");
+            }
+          });
+      job.sleepUntil(2 * SECOND);
+      tag.freeze();
+      job.sleepUntil(5 * SECOND);
+    });
+    loop.run();
+    assertEquals(List.of("cleaned up", "child ends"), loop.said);
+    assertEquals(8 * SECOND, loop.clock.now());
+  }
+
+  /** What takes too long to clean up is abandoned a second time. */
+  @Test
+  void whatHangsInItsShelterIsAbandonedAgain() {
+    TagState tag = new TagState();
+    tag.freeze();
+    leaving(job -> {
+      TagScope entered = job.enter(tag);
+      try {
+        job.waitWhileFrozen();
+        loop.say("has gone on");
+      } finally {
+        assertFalse(job.isFrozen());
+        background(job.scopeForNew(), "background");
+        job.sleepUntil(6 * SECOND);
+        loop.say("left at " + scheduler.now() / SECOND);
+        job.leave(entered);
+      }
+    });
+    loop.start(other -> {
+      other.sleepUntil(4 * SECOND);
+      client.abandon(scheduler, null);
+    });
+    runToTheEnd();
+    assertEquals(List.of("left at 6", "background ends"), loop.said);
+    assertFalse(tag.isUsed());
+    connection.close();
+    assertFalse(client.isUsed(), "a shelter is left");
+  }
+
   @Test
   void whatIsNotAbandonedNeedsNoShelter() {
     loop.start(

@@ -289,6 +289,29 @@ class JobTurnsTest {
     assertEquals(List.of("left"), loop.run());
   }
 
+  /** Its time has stood still, also if the code under the tag never goes on. */
+  @Test
+  void whoIsStoppedWhileFrozenHasLostThatTime() {
+    TagState tag = new TagState(null);
+    loop.start(self -> {
+      TagScope entered = self.enter(tag);
+      try {
+        self.sleepUntil(10 * SECOND);
+      } catch (TagStop stop) {
+        assertSame(entered, stop.scope());
+      }
+      self.leave(entered);
+      loop.say("left at " + scheduler.now() / SECOND + " " + self.timeShift() / SECOND);
+    });
+    loop.start(other -> {
+      other.sleepUntil(SECOND);
+      tag.freeze();
+      other.sleepUntil(5 * SECOND);
+      tag.stop(scheduler, loop.object());
+    });
+    assertEquals(List.of("left at 5 4"), loop.run());
+  }
+
   /** What a job starts lives in its parent's time. */
   @Test
   void timeShiftsAreInherited() {

@@ -99,19 +99,20 @@ class TagScopeTest {
 
   @Test
   void aScopeIsAsFrozenAsThoseAround() {
-    assertEquals(0, inner.frozenDepth());
     assertFalse(inner.isFrozen());
     tag.freeze();
-    assertEquals(1, inner.frozenDepth());
-    other.freeze();
-    assertEquals(2, inner.frozenDepth());
-    assertEquals(1, outer.frozenDepth());
-    assertEquals(0, root.frozenDepth());
     assertTrue(inner.isFrozen());
+    other.freeze();
+    assertTrue(inner.isFrozen());
+    assertTrue(outer.isFrozen());
+    assertFalse(root.isFrozen());
     tag.unfreeze();
-    assertEquals(1, inner.frozenDepth());
+    assertTrue(inner.isFrozen());
+    assertFalse(outer.isFrozen());
     assertFalse(tag.isFrozen());
     assertTrue(other.isFrozen());
+    other.unfreeze();
+    assertFalse(inner.isFrozen());
   }
 
   @Test
