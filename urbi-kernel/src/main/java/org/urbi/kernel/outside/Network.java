@@ -2,19 +2,20 @@ package org.urbi.kernel.outside;
 
 import java.io.BufferedReader;
 import java.io.Closeable;
-import java.io.FileInputStream;
-import java.io.FileOutputStream;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
 import java.net.UnknownHostException;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
@@ -175,7 +176,8 @@ public final class Network {
         outside.awaitOpen(
             job,
             () -> {
-              // The line must be in raw mode before the first byte arrives.
+              // The line must be in raw mode before the first byte arrives; and whoever opens one
+              // that looks at the signals of a modem would wait until there is one.
               Process stty =
                   new ProcessBuilder(
                           "stty",
@@ -183,6 +185,7 @@ public final class Network {
                           device.toString(),
                           "raw",
                           "-echo",
+                          "clocal",
                           Integer.toString(baudRate))
                       .redirectErrorStream(true)
                       .start();
@@ -196,16 +199,33 @@ public final class Network {
               } catch (InterruptedException e) {
                 throw new IOException(e);
               }
-              FileInputStream in = new FileInputStream(device.toFile());
-              FileOutputStream out = new FileOutputStream(device.toFile(), true);
-              return new SerialLine(in, out);
+              return SerialLine.open(device);
             });
     return line == null
         ? SocketConnection.replayed(outside, false)
-        : new SocketConnection(outside, line.in, line.out, line, false);
+        : new SocketConnection(
+            outside,
+            Channels.newInputStream(line.in),
+            Channels.newOutputStream(line.out),
+            line,
+            false);
   }
 
-  private record SerialLine(FileInputStream in, FileOutputStream out) implements Closeable {
+  /**
+   * Both directions of a line, each by a channel of its own: one of them may be waited for, and
+   * only channels let those go who wait when they are closed.
+   */
+  private record SerialLine(FileChannel in, FileChannel out) implements Closeable {
+    static SerialLine open(Path device) throws IOException {
+      FileChannel in = FileChannel.open(device, StandardOpenOption.READ);
+      try {
+        return new SerialLine(in, FileChannel.open(device, StandardOpenOption.WRITE));
+      } catch (IOException | RuntimeException e) {
+        in.close();
+        throw e;
+      }
+    }
+
     @Override
     public void close() throws IOException {
       out.close();

@@ -80,6 +80,7 @@ public final class SocketConnection implements Closeable {
       @Override
       public void close() throws IOException {
         connection.close();
+        outside.closed(connection);
       }
     };
   }
@@ -149,7 +150,6 @@ public final class SocketConnection implements Closeable {
   private void end(@Nullable String error) {
     outside.inbox().forget(number);
     outside.scheduler().pace().end();
-    outside.closed(connection);
     listener().ended(error);
     close();
   }
@@ -179,7 +179,8 @@ public final class SocketConnection implements Closeable {
     }
     sink.close();
     if (!network && listener != null) {
-      // A thread that reads a device does not notice that it was closed, so its end is posted here.
+      // What is still to be sent may wait for ever; nothing more is to be read.
+      outside.start(() -> Outside.closeQuietly(in));
       outside.inbox().post(new Message.BytesEnded(number, null));
     }
   }
