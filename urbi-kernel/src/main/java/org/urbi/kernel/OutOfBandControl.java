@@ -52,7 +52,7 @@ final class OutOfBandControl {
     connections.put(connection.lobby().name(), connection);
     HoldWatchdog who = watch;
     if (who != null && !connection.stays()) {
-      who.watchLobbies();
+      who.watchHolds();
     }
   }
 
@@ -71,7 +71,7 @@ final class OutOfBandControl {
     if (who == null) {
       return 0;
     }
-    who.measureHolds();
+    who.watchHolds();
     return who.heldFor();
   }
 
@@ -116,7 +116,7 @@ final class OutOfBandControl {
   private String interruptHolder() {
     HoldWatchdog who = watch;
     Job job = scheduler.running();
-    long held = who == null ? 0 : who.heldFor();
+    long held = heldFor();
     if (who == null || held < SHORTEST_HOLD || job == null) {
       return Problem.NOBODY_HOLDS.text();
     }

@@ -176,6 +176,42 @@ class HoldLimitTest {
     assertTrue(!patient.isRunning());
   }
 
+  /** Who embeds a kernel need not give it a limit, and its own program is no client. */
+  @Test
+  void whoComesWhileAKernelWithoutLimitIsHeldCanInterruptIt() throws Exception {
+    CountDownLatch begun = new CountDownLatch(1);
+    try (Kernel endless = Kernel.builder().log(log::output).start()) {
+      endless.define(
+          "begun",
+          nothing -> {
+            begun.countDown();
+            return null;
+          });
+      endless.connect(new Program()).send("{ begun| loop| {} };\n");
+      begun.await();
+      Connection operator = endless.connect(new Told());
+      String told;
+      do {
+        told = operator.interrupt("");
+      } while (told.startsWith("nobody"));
+      assertTrue(told.startsWith("interrupted: job "), told);
+    }
+  }
+
+  /** What the owner of a server runs. */
+  private static final class Program implements Client {
+    @Override
+    public void output(String bytes) {}
+
+    @Override
+    public void closed() {}
+
+    @Override
+    public boolean isProgram() {
+      return true;
+    }
+  }
+
   /** To tell all of them takes longer than the client may. */
   @Test
   void conditionsOfOthersAreToldEvenIfWhoeverTellsThemIsEnded() throws Exception {

@@ -146,30 +146,20 @@ public final class HoldWatchdog {
   /** Starts to watch, if there is a limit. */
   void start() {
     if (limit != Long.MAX_VALUE) {
-      watchFromNowOn();
+      watchHolds();
     }
   }
 
   /** The budget of a lobby has a limit, in nanoseconds, which must be watched from now on. */
   public synchronized void watchBudget(long budgeted) {
     pause = Math.min(pause, pauseFor(budgeted));
-    watchFromNowOn();
-  }
-
-  /** There are lobbies whose jobs may hold the kernel although that has no limit. */
-  public void watchLobbies() {
-    watchFromNowOn();
-  }
-
-  /** Somebody asks {@link #heldFor} from time to time, although nobody may be ended for that. */
-  public void measureHolds() {
-    watchFromNowOn();
+    watchHolds();
   }
 
   /** The budget of a lobby limits what a job may allocate at one go. */
   public synchronized void watchMemory() {
     limitMemory();
-    watchFromNowOn();
+    watchHolds();
   }
 
   /** From now on it looks how much is allocated, and so does the kernel thread. */
@@ -186,7 +176,11 @@ public final class HoldWatchdog {
     }
   }
 
-  private synchronized void watchFromNowOn() {
+  /**
+   * From now on {@link #heldFor} is known, and memory limited while it is nearly exhausted,
+   * although the kernel may be held as long as anybody likes.
+   */
+  public synchronized void watchHolds() {
     if (thread == null) {
       thread = FailureLog.THREADS.platform("urbi-watch", this::watch);
       thread.start();
