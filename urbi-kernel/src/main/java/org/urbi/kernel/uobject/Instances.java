@@ -2,7 +2,6 @@ package org.urbi.kernel.uobject;
 
 import static java.util.Objects.requireNonNull;
 
-import java.lang.ref.Cleaner;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +14,7 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Forgotten;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
@@ -26,11 +26,6 @@ import urbi.UClass;
 
 /** The UObjects of one kernel, by their names: slots of {@code uobjects}. */
 final class Instances {
-  /** Holds the cleaner, which has a thread, so that it is created only with the first UObject. */
-  private static final class Reclamation {
-    static final Cleaner CLEANER = Cleaner.create();
-  }
-
   private final World world;
   private final Inbox inbox;
   private final Journal journal;
@@ -88,8 +83,7 @@ final class Instances {
     data.setGetter(new Named(world.prototype("Code").cloneShape(), instance));
     namespace.slotDataChanged(slot);
     String name = instance.name();
-    Reclamation.CLEANER.register(
-        instance.object(), () -> inbox.post(new Message.ComponentGone(name)));
+    Forgotten.whenGone(present(instance), () -> inbox.post(new Message.ComponentGone(name)));
   }
 
   /** Makes it a slot of {@code uobjects} that keeps the object alive. */

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.file;
 
-import java.lang.ref.Cleaner;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.object.Forgotten;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.outside.ByteSource;
@@ -9,11 +9,6 @@ import org.urbi.kernel.outside.PipeSource;
 
 /** Reads bytes one after the other (manual, "InputStream"). */
 public final class UrbiInputStream extends UrbiStream<ByteSource> {
-  /** Holds the cleaner, which has a thread, so that it is created only with the first pipe. */
-  private static final class Forgotten {
-    static final Cleaner CLEANER = Cleaner.create();
-  }
-
   UrbiInputStream(Shape shape, @Nullable ByteSource source) {
     super(shape, source);
   }
@@ -24,7 +19,7 @@ public final class UrbiInputStream extends UrbiStream<ByteSource> {
    */
   void openPipe(PipeSource source) {
     open(source);
-    Forgotten.CLEANER.register(this, source::close);
+    Forgotten.whenGone(this, source::close);
   }
 
   @Override
