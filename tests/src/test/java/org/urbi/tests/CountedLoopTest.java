@@ -113,6 +113,21 @@ class CountedLoopTest {
     assertEquals(interpreted, KernelSession.runCompiled(threshold, doubt, 0, PROGRAM));
   }
 
+  /** Where many more than a hundred are lent at once. */
+  @Test
+  void longLoopsHaveTheSameCyclesInRealTime() {
+    String program =
+        FUNCTIONS
+            + """
+            function cycles(f) { var c = System.cycle; f(40000); System.cycle - c }|;
+            function twice(n) { plain(n); plain(17); 1; 2; 3; each(n) }|;
+            for (2) { for (var f : [&plain, &body, &each, &inner, &grows, &twice]) echo(cycles(&f)) };
+            """;
+    String interpreted = KernelSession.runCompiledInRealTime(0, program);
+    assertFalse(interpreted.contains("!!!"), interpreted);
+    assertEquals(interpreted, KernelSession.runCompiledInRealTime(2, program));
+  }
+
   /** Whether there is anything to compare: a loop that calls somebody asks at each cycle. */
   @ParameterizedTest
   @CsvSource(

@@ -124,9 +124,19 @@ public final class KernelSession implements AutoCloseable {
         program);
   }
 
+  /** Runs a program likewise in our time; what is sent has no time stamps. */
+  static String runCompiledInRealTime(int threshold, String program) {
+    KernelBuilder builder = builder(BackEnd.TICK_LOOP).tier(threshold).virtualTime(false);
+    return runUntilEnd(builder, InputMode.WHOLE, program).replaceAll("(?m)^\\[\\d+", "[");
+  }
+
   private static String run(KernelBuilder builder, InputMode feeding, String program) {
+    return runUntilEnd(builder.virtualTime(true), feeding, program);
+  }
+
+  private static String runUntilEnd(KernelBuilder builder, InputMode feeding, String program) {
     String input = program + EPILOGUE;
-    try (KernelSession session = new KernelSession(builder.virtualTime(true).start())) {
+    try (KernelSession session = new KernelSession(builder.start())) {
       Console console = session.connect();
       if (feeding == InputMode.WHOLE) {
         console.send(input);

@@ -12,6 +12,13 @@ public final class YieldCount {
   /** The most of them between two looks. */
   private static final int MOST = 100;
 
+  /**
+   * The most of them between two looks while a loop counts them by itself. It calls nobody, so that
+   * each stays a matter of nanoseconds, which nobody knows of other code; but what follows may take
+   * longer than what was measured, and a look is no longer felt among so many.
+   */
+  private static final int MOST_LENT = 1000;
+
   /** How long is to pass between two looks, in nanoseconds. */
   private static final long LOOK_PERIOD = 20_000;
 
@@ -22,14 +29,23 @@ public final class YieldCount {
   private int count;
   private int most = MOST;
 
+  /** How many a loop that counts by itself may have between two looks. */
+  private int mostLent = MOST;
+
   /** How many may pass before anything but news must be looked at; set when nobody else can run. */
   private int granted;
 
   /** How many of them are left. */
   private int left;
 
-  /** How many of them a loop that is running has borrowed, and not given back. */
+  /** How many more are left for a loop that counts by itself, and for nobody else. */
+  private int spare;
+
+  /** How many of both a loop that is running has borrowed, and not given back. */
   private int lent;
+
+  /** How many of those were spare. */
+  private int lentSpare;
 
   /** How many have passed, without those of the present grant. */
   private long passed;
@@ -53,7 +69,7 @@ public final class YieldCount {
 
   /** How many have passed because of the present grant. */
   private int used() {
-    return granted - left - lent;
+    return granted - left - spare - lent;
   }
 
   /** Whether this one passes because of a grant: there is nothing to do. */
@@ -74,29 +90,35 @@ public final class YieldCount {
   public int borrow() {
     lent = 0;
     if (!inbox.isFilled()) {
-      lent = left;
+      lent = left + spare;
+      lentSpare = spare;
       left = 0;
+      spare = 0;
     }
     return lent;
   }
 
   /**
-   * Takes back what has been lent.
+   * Takes back what has been lent. What is spare is used last: others do not get more of them
+   * because a loop has ended.
    *
    * @param rest how many have not been used
    */
   public void giveBack(int rest) {
     // If the stack or the memory was exhausted in the loop, it has not come here, and the grant may
     // have ended since: so many cycles at most are not counted then.
-    left += Math.min(rest, lent);
+    int unused = Math.min(rest, lent);
+    spare += Math.min(unused, lentSpare);
+    left += Math.max(0, unused - lentSpare);
     lent = 0;
   }
 
   /** Lets this yield pass, and as many of the next ones, without another look at the queue. */
   void grant(long most) {
     passed++;
-    granted = (int) Math.max(0, Math.min(this.most - 1 - count, most));
-    left = granted;
+    left = (int) Math.max(0, Math.min(this.most - 1 - count, most));
+    spare = left == 0 ? 0 : mostLent - this.most;
+    granted = left + spare;
   }
 
   /** Somebody else may be able to run from now on: the next one has to look. */
@@ -107,6 +129,7 @@ public final class YieldCount {
       count += used();
       granted = 0;
       left = 0;
+      spare = 0;
       lent = 0;
     }
   }
@@ -131,7 +154,9 @@ public final class YieldCount {
   /** The job looks at the clock; returns whether there must be a tick, whatever is to be done. */
   boolean look(long now) {
     long period = Math.max(1, now - looked);
-    most = Math.clamp(count * LOOK_PERIOD / period, 1, MOST);
+    long fitting = count * LOOK_PERIOD / period;
+    most = Math.clamp(fitting, 1, MOST);
+    mostLent = Math.clamp(fitting, most, MOST_LENT);
     looked = now;
     return now - ticked >= LONGEST_TURN;
   }

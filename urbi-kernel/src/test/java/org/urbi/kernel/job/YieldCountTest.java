@@ -114,4 +114,75 @@ class YieldCountTest {
     assertFalse(yields.passes());
     assertEquals(1, yields.passed());
   }
+
+  /** So many yields have taken that long; the next one is granted. */
+  private void lookAfter(long nanoseconds) {
+    yields.beginTick(0);
+    yields.reset();
+    while (!yields.isOver()) {
+      // Each of them is counted.
+    }
+    assertFalse(yields.look(nanoseconds));
+    yields.reset();
+    yields.isOver();
+    yields.grant(Long.MAX_VALUE);
+  }
+
+  @Test
+  void aLoopBorrowsWhatFitsBetweenTwoLooks() {
+    lookAfter(2500);
+    assertEquals(798, yields.borrow());
+    yields.giveBack(600);
+    assertEquals(199, yields.passed());
+    // What others would have had is used first.
+    assertEquals(0, passing());
+    assertEquals(600, yields.borrow());
+    assertEquals(0, yields.borrow());
+    yields.endGrant();
+    assertEquals(799, yields.passed());
+    assertEquals(799, yields.count());
+    assertTrue(yields.isOver());
+  }
+
+  @Test
+  void whoOnlyAsksGetsNoMoreBecauseALoopBorrowed() {
+    lookAfter(2500);
+    assertEquals(798, yields.borrow());
+    yields.giveBack(788);
+    assertEquals(88, passing());
+    assertEquals(99, yields.passed());
+    yields.endGrant();
+    assertEquals(99, yields.count());
+    assertTrue(yields.isOver());
+  }
+
+  @Test
+  void aLoopBorrowsAThousandAtMost() {
+    lookAfter(1);
+    assertEquals(998, yields.borrow());
+  }
+
+  @Test
+  void aLoopBorrowsNoMoreThanOthersGetWhereTheyAreSlow() {
+    lookAfter(100_000);
+    assertEquals(18, yields.borrow());
+    yields.endGrant();
+    yields.grant(0);
+    assertEquals(0, yields.borrow());
+  }
+
+  @Test
+  void inSimulatedTimeNothingIsSpare() {
+    yields.isOver();
+    yields.grant(900);
+    assertEquals(98, yields.borrow());
+  }
+
+  @Test
+  void nothingIsSpareWhereEachHasToLook() {
+    lookAfter(500);
+    yields.endGrant();
+    yields.grant(0);
+    assertEquals(0, yields.borrow());
+  }
 }
