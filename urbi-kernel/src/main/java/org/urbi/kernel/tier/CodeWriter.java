@@ -196,6 +196,11 @@ abstract class CodeWriter {
     free = before;
   }
 
+  /** How many slots are taken. */
+  int taken() {
+    return free;
+  }
+
   Value newPair() {
     Value pair = Value.ofPair(newNumber(), newObject());
     code.dconst_0().dstore(pair.number());

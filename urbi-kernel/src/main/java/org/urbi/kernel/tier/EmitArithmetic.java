@@ -73,7 +73,9 @@ final class EmitArithmetic {
           jumpUnless(operator, left, right, otherwise);
           to.code.goto_(over);
         });
-    to.statements().truth(Value.ofObject(result.object()), otherwise);
+    if (operator.isEquality() || !to.loops().isQuick()) {
+      to.statements().truth(Value.ofObject(result.object()), otherwise);
+    }
     to.code.labelBinding(over);
   }
 
@@ -84,11 +86,12 @@ final class EmitArithmetic {
 
   /** Leaves what the node answers in the object of the result, if the operands are others. */
   private void operate(NumericOperator operator, Value result, Fast fast) {
-    Label neither = to.code.newLabel();
-    Label mixed = to.code.newLabel();
+    boolean equality = operator.isEquality();
+    Label neither = equality ? to.code.newLabel() : to.loops().unexpected(operator);
+    Label mixed = equality ? to.code.newLabel() : to.loops().unexpected(operator);
     Label ready = to.code.newLabel();
     Label over = to.code.newLabel();
-    int equates = operator.isEquality() ? to.newFlag() : -1;
+    int equates = equality ? to.newFlag() : -1;
     Value left = to.kept(to.operand(operator.left()), operator.right());
     if (equates >= 0) {
       to.code.iconst_0().istore(equates);
@@ -117,18 +120,23 @@ final class EmitArithmetic {
       to.code.dload(b).dconst_0().dcmpl().ifeq(mixed);
     }
     fast.emit(a, b);
+    if (!equality && to.loops().isQuick()) {
+      return;
+    }
     to.code.goto_(over);
     to.code.labelBinding(neither);
-    Value answer =
-        to.beside(
-            operator.right(),
-            () -> {
-              to.load(left);
-              to.frame();
-              to.constant(operator, Names.OPERATOR);
-              to.help("operate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
-            });
-    to.code.aload(answer.object()).astore(result.object()).goto_(over);
+    to.releasing(() -> {
+      Value answer =
+          to.beside(
+              operator.right(),
+              () -> {
+                to.load(left);
+                to.frame();
+                to.constant(operator, Names.OPERATOR);
+                to.help("operate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+              });
+      to.code.aload(answer.object()).astore(result.object()).goto_(over);
+    });
     if (right.hasObject() || operator.divides() || to.isDoubtful()) {
       to.code.labelBinding(mixed);
       to.load(left);
@@ -242,9 +250,14 @@ final class EmitArithmetic {
     return variable;
   }
 
+  /** Where it is done if something is not as expected, if there is anything to expect. */
+  private Label unexpected(CompoundAssignment assignment) {
+    return assignment.sign() == 0 ? to.code.newLabel() : to.loops().unexpected(assignment);
+  }
+
   /** The new value of anything but a plain variable. */
   Value combined(CompoundAssignment assignment, Value before) {
-    Label slow = to.code.newLabel();
+    Label slow = unexpected(assignment);
     Label over = to.code.newLabel();
     Value result = to.newPair();
     Node operand = assignment.operand();
@@ -267,6 +280,9 @@ final class EmitArithmetic {
         }
       }
       setNumber(result);
+      if (to.loops().isQuick()) {
+        return result;
+      }
       to.code.goto_(over);
     }
     to.code.labelBinding(slow);
@@ -287,7 +303,7 @@ final class EmitArithmetic {
   }
 
   private void count(CompoundAssignment assignment, Value variable, Value before) {
-    Label slow = to.code.newLabel();
+    Label slow = unexpected(assignment);
     Label over = to.code.newLabel();
     if (assignment.sign() != 0) {
       int number = to.number(variable, slow);
@@ -296,6 +312,9 @@ final class EmitArithmetic {
       to.code.aload(variable.object()).astore(before.object());
       to.code.dload(number).loadConstant((double) assignment.sign()).dadd();
       setNumber(variable);
+      if (to.loops().isQuick()) {
+        return;
+      }
       to.code.goto_(over);
     }
     to.code.labelBinding(slow);
@@ -310,7 +329,7 @@ final class EmitArithmetic {
   }
 
   private void combine(CompoundAssignment assignment, Node operand, Value variable) {
-    Label slow = to.code.newLabel();
+    Label slow = unexpected(assignment);
     Label over = to.code.newLabel();
     Value before = to.kept(variable, operand);
     Value by = to.operand(operand);
@@ -326,6 +345,9 @@ final class EmitArithmetic {
         to.code.dsub();
       }
       setNumber(variable);
+      if (to.loops().isQuick()) {
+        return;
+      }
       to.code.goto_(over);
     }
     to.code.labelBinding(slow);
@@ -340,9 +362,11 @@ final class EmitArithmetic {
 
   /** The object on the stack, which other code has computed, is the new value. */
   private void changed(Value variable) {
-    int result = to.newObject();
-    to.code.astore(result);
-    to.afterOthers();
-    to.code.aload(result).astore(variable.object());
+    to.releasing(() -> {
+      int result = to.newObject();
+      to.code.astore(result);
+      to.afterOthers();
+      to.code.aload(result).astore(variable.object());
+    });
   }
 }

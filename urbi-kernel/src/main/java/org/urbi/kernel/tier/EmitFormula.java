@@ -118,33 +118,43 @@ final class EmitFormula {
 
   Value value(NumericOperator operator) {
     Value result = to.newPair();
-    Label slow = to.code.newLabel();
-    Label over = to.code.newLabel();
+    Label slow = to.loops().unexpected(operator);
     Formula formula = new Formula(slow);
     formula.check(operator);
     formula.push(operator);
     arithmetic.setNumber(result);
+    if (to.loops().isQuick()) {
+      return result;
+    }
+    Label over = to.code.newLabel();
     to.code.goto_(over);
     to.code.labelBinding(slow);
-    countMiss(operator);
-    to.code.aload(to.unknown(operator, false).object()).astore(result.object());
+    to.releasing(() -> {
+      countMiss(operator);
+      to.code.aload(to.unknown(operator, false).object()).astore(result.object());
+    });
     to.code.labelBinding(over);
     return result;
   }
 
   /** Emits a comparison, after which the code goes on if it holds. */
   void condition(NumericOperator operator, Label otherwise) {
-    Label slow = to.code.newLabel();
-    Label over = to.code.newLabel();
+    Label slow = to.loops().unexpected(operator);
     Formula formula = new Formula(slow);
     formula.check(operator);
     formula.push(operator.left());
     formula.push(operator.right());
     arithmetic.jumpUnless(operator, otherwise);
+    if (to.loops().isQuick()) {
+      return;
+    }
+    Label over = to.code.newLabel();
     to.code.goto_(over);
     to.code.labelBinding(slow);
-    countMiss(operator);
-    to.unknownCondition(operator, otherwise);
+    to.releasing(() -> {
+      countMiss(operator);
+      to.unknownCondition(operator, otherwise);
+    });
     to.code.labelBinding(over);
   }
 
@@ -164,8 +174,7 @@ final class EmitFormula {
         || operand != null && (operators(operand) < 0 || !isPlain(assignment, operand))) {
       return false;
     }
-    Label slow = to.code.newLabel();
-    Label over = to.code.newLabel();
+    Label slow = to.loops().unexpected(assignment);
     Formula formula = new Formula(slow);
     Slot read = Slot.of(slot.target(), slot.lookup());
     int before = formula.check(read, place);
@@ -187,10 +196,16 @@ final class EmitFormula {
     }
     int after = to.storedNumber().number();
     slots.setNumber(shape, place.index(), formula.target(read), after, slow);
+    if (to.loops().isQuick()) {
+      return true;
+    }
+    Label over = to.code.newLabel();
     to.code.goto_(over);
     to.code.labelBinding(slow);
-    slots.missed();
-    to.unknown(assignment, false);
+    to.releasing(() -> {
+      slots.missed();
+      to.unknown(assignment, false);
+    });
     to.code.labelBinding(over);
     return true;
   }

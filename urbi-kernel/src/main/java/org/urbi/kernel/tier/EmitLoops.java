@@ -28,8 +28,7 @@ final class EmitLoops {
   private final Deque<Loop> around = new ArrayDeque<>();
   private Copy copy = Copy.ONLY;
 
-  /** Where the {@code ;} of the slow copy ask, in their order. */
-  private final Deque<Label> asking = new ArrayDeque<>();
+  private final Crossings crossings = new Crossings();
 
   EmitLoops(Emitter to) {
     this.to = to;
@@ -64,8 +63,8 @@ final class EmitLoops {
   /**
    * The turns of some loops that count their {@code ;} are emitted twice. In the quick copy there
    * is nothing but counting down at a {@code ;}, so that the Java machine has no calls in it, after
-   * which everything would have to be as it was. When nothing is left, the slow copy goes on at the
-   * same place, until the end of the turn.
+   * which everything would have to be as it was. When nothing is left, or a number is none, the
+   * slow copy goes on at the same place, until the end of the turn.
    */
   private enum Copy {
     ONLY,
@@ -271,16 +270,16 @@ final class EmitLoops {
         if (loop.step() != null) {
           to.operand(loop.step());
         }
-        pause(loop.yields(), heads);
+        pause(loop.yields(), loop.body(), heads);
       }
     };
   }
 
   /** Lets others run, or only asks whether somebody wants to end this. */
-  private void pause(boolean yields, Heads heads) {
+  private void pause(boolean yields, Node after, Heads heads) {
     if (yields) {
-      yieldToOthers(heads.usual());
-      if (copy != Copy.QUICK) {
+      yieldToOthers(after, heads.usual());
+      if (!isQuick()) {
         to.code.goto_(heads.afterOthers());
       }
     } else {
@@ -323,7 +322,7 @@ final class EmitLoops {
           to.code.dload(turn).dload(count).dcmpg().ifge(heads.usual());
           to.code.labelBinding(pauses);
         }
-        pause(loop.yields(), heads);
+        pause(loop.yields(), loop.body(), heads);
       }
     };
   }
@@ -340,6 +339,7 @@ final class EmitLoops {
     to.code.labelBinding(usual);
     Loop again = new Loop(to.code.newLabel(), loop.broken(), loop.jobs(), false);
     copy(Copy.QUICK, again, body, parts, usual, done);
+    crossings.end();
   }
 
   /**
@@ -351,6 +351,26 @@ final class EmitLoops {
         && !loop.handled()
         && to.unit.copiesLoops()
         && Survey.of(body).isMostlyPauses();
+  }
+
+  /**
+   * Where an operation is done if something is not as expected: in the quick copy of a loop, in the
+   * slow one, which goes on from there.
+   */
+  Label unexpected(Node operation) {
+    if (isQuick()) {
+      return crossings.next(operation, to.taken());
+    }
+    Label label = to.code.newLabel();
+    if (copy == Copy.SLOW) {
+      crossings.add(operation, to.taken(), label);
+    }
+    return label;
+  }
+
+  /** Whether a copy is emitted that leaves to another one what is not as expected. */
+  boolean isQuick() {
+    return copy == Copy.QUICK;
   }
 
   /** Emits a copy of the turns. In both the same values are in the same slots. */
@@ -392,10 +412,10 @@ final class EmitLoops {
     to.code.aload(thrown).athrow();
   }
 
-  /** Emits {@code ;}. */
-  void yieldToOthers() {
+  /** Emits the {@code ;} after a statement. */
+  void yieldToOthers(Node after) {
     Label over = to.code.newLabel();
-    yieldToOthers(over);
+    yieldToOthers(after, over);
     to.code.labelBinding(over);
   }
 
@@ -403,10 +423,11 @@ final class EmitLoops {
    * Emits {@code ;}; jumps if there was nothing to do. Borrowing is seldom, and goes the way of
    * those that let others run, which the inner loop is better off without.
    */
-  private void yieldToOthers(Label passed) {
+  private void yieldToOthers(Node after, Label passed) {
     Label over = to.code.newLabel();
-    if (copy == Copy.QUICK) {
-      to.code.iload(to.passing()).ifle(asking.remove()).iinc(to.passing(), -1).goto_(passed);
+    if (isQuick()) {
+      Label slow = crossings.next(after, to.taken());
+      to.code.iload(to.passing()).ifle(slow).iinc(to.passing(), -1).goto_(passed);
       return;
     }
     if (to.isCounting()) {
@@ -415,7 +436,7 @@ final class EmitLoops {
       to.code.iload(to.passing()).ifle(more).iinc(to.passing(), -1).goto_(passed);
       to.code.labelBinding(more);
       if (copy == Copy.SLOW) {
-        asking.add(more);
+        crossings.add(after, to.taken(), more);
       }
       to.yields();
       to.code.invokevirtual(Names.YIELDS, "borrow", MethodTypeDesc.of(CD_int));

@@ -146,7 +146,7 @@ final class EmitStatements {
     for (int i = 0; i < statements.length - 1; i++) {
       to.statement(statements[i]);
       if (chain.yieldsAfter(i)) {
-        to.loops().yieldToOthers();
+        to.loops().yieldToOthers(statements[i]);
       }
     }
   }
