@@ -41,6 +41,14 @@ class CountedLoopTest {
       var box = Box.new|;
       function slots(b, k) { while (b.n < k) { b.n += 1; b.n }; while (b.n > 0) { b.n -= 2; b.up } }|;
       function grows(n) { var l = [0]; var i = 0; while (i < n) { l[0] += i; l << i; i++ }; l.size }|;
+      function maps(n) {
+        var d = [=>]; var i = 0;
+        while (i < n) { d[i % 5] = i; d["x"] = i; d[i % 5] += 1; i++ }; d.size * 1000 + d[1]
+      }|;
+      function texts(n) {
+        var t = "a"; var i = 0; var s = 0;
+        while (i < n) { if (t == "a") { s += 1; t = "b" } else t = "a"; if (t != nil) s += 1; i++ }; s
+      }|;
       function chooses(n) {
         var i = 0; var s = 0;
         while (i < n) {
@@ -66,13 +74,13 @@ class CountedLoopTest {
               case "plain": echo(plain(n)); case "body": echo(body(n)); case "leaves": echo(leaves(n));
               case "each": echo(each(n)); case "asks": echo(asks(n)); case "inner": echo(inner(n));
               case "tries": tries(n); case "slots": slots(box, n); case "grows": echo(grows(n));
-              case "chooses": echo(chooses(n))
+              case "chooses": echo(chooses(n)); case "maps": echo(maps(n)); case "texts": echo(texts(n))
             };
             echo(name + ": " + (System.cycle - c))
           }|;
           function all(n) {
             for (var name : ["plain", "body", "leaves", "each", "asks", "inner", "tries", "slots", "grows",
-                             "chooses"])
+                             "chooses", "maps", "texts"])
               used(name, n)
           }|;
           all(9); all(130); all(250);
@@ -102,6 +110,25 @@ class CountedLoopTest {
             };
             s
           }|;
+          var told = [0]|; at (told[0] == 30) echo("told " + System.cycle);
+          at (told.size == 70) echo("grown " + System.cycle);
+          function tells(n) {
+            var l = lobby.told; var i = 0;
+            while (i < n) { l[0] = i; i++; l << i; if (i == 20) { var k = [0]; k[0] = l.size; l << k[0] }; i }
+          }|;
+          tells(80); System.cycle;
+          var noted = ["x" => 0]|; at (noted["x"] == 30) echo("noted " + System.cycle);
+          function notes(n) {
+            var d = lobby.noted; var i = 0;
+            while (i < n) { d["x"] = i; i++; d[i] = i; i }
+          }|;
+          notes(60); System.cycle;
+          function maybe(i) { if (i != 50) "a" }|;
+          function compares(n) {
+            var i = 0; var s = 0;
+            while (i < n) { i++; if (nil != i) s += 1; if ("a" == maybe(i)) s += 2 }; s
+          }|;
+          compares(40); compares(60); System.cycle;
           var start = System.cycle|; redefines(40); Float.setSlot("+", getSlotValue("plus"))|; System.cycle - start;
           """;
 
@@ -144,6 +171,8 @@ class CountedLoopTest {
           slots(box, 9) | true
           grows(9) | true
           chooses(9) | true
+          maps(9) | true
+          texts(9) | true
           """)
   void theseLoopsCount(String call, boolean counting) {
     String calls = (call + "|; ").repeat(3);

@@ -239,17 +239,15 @@ public abstract class CompiledCode extends CallAccess {
     }
   }
 
-  /** The answer of such an equality. */
+  /** Whether it is known to do so. */
+  protected static boolean equatesAsBefore(UrbiObject left, NumericOperator operator) {
+    return operator.equatesAsBefore(left);
+  }
+
+  /** The answer of such an equality; the right operand is not void. */
   protected static UrbiObject isSame(
-      UrbiObject left, UrbiObject right, Frame frame, NumericOperator operator) {
-    try {
-      return frame
-          .interpreter
-          .values()
-          .bool(operator.isSame(left, frame.interpreter.notVoid(right)));
-    } catch (UrbiException e) {
-      throw frame.located(e, operator.message().span());
-    }
+      UrbiObject left, UrbiObject right, NumericOperator operator, Values values) {
+    return values.bool(operator.isSame(left, right));
   }
 
   protected static UrbiObject successor(
@@ -418,7 +416,9 @@ public abstract class CompiledCode extends CallAccess {
    * The value of a key; null if there is none, or the dictionary or key is another than expected.
    */
   protected static @Nullable UrbiObject entry(UrbiObject target, UrbiObject key, Frame frame) {
-    return target instanceof UrbiDictionary dictionary ? dictionary.getPlain(key) : null;
+    return target instanceof UrbiDictionary dictionary && DictionaryKey.isPlain(key)
+        ? dictionary.getPlain(key)
+        : null;
   }
 
   /** Whether there is a key; null if the dictionary or key is another than expected. */
@@ -435,9 +435,22 @@ public abstract class CompiledCode extends CallAccess {
   protected static boolean setEntry(
       UrbiObject target, UrbiObject key, UrbiObject value, Frame frame) {
     return target instanceof UrbiDictionary dictionary
-        && dictionary.shape() == frame.interpreter.values().dictionaryProto.cloneShape()
-        && frame.job.isOwner()
+        && isPlain(dictionary, frame)
         && dictionary.putPlain(key, value);
+  }
+
+  private static boolean isPlain(UrbiDictionary dictionary, Frame frame) {
+    return dictionary.shape() == frame.interpreter.values().dictionaryProto.cloneShape()
+        && frame.job.isOwner();
+  }
+
+  /** Does so if there is such a key, and nobody to be told. */
+  protected static boolean replaceEntry(
+      UrbiObject target, UrbiObject key, UrbiObject value, Frame frame) {
+    return target instanceof UrbiDictionary dictionary
+        && isPlain(dictionary, frame)
+        && DictionaryKey.isPlain(key)
+        && dictionary.replacePlain(key, value);
   }
 
   private static int place(double index, int size) {
@@ -448,25 +461,26 @@ public abstract class CompiledCode extends CallAccess {
     return place < 0 ? place + size : place;
   }
 
-  /** Replaces the element at an index; false if something is not as expected. */
+  /**
+   * Replaces the element at an index; false if something is not as expected, as where somebody may
+   * have to be told.
+   */
   protected static boolean setElement(UrbiObject target, double index, UrbiObject value, Job job) {
-    if (target instanceof UrbiList list && job.isOwner()) {
+    if (target instanceof UrbiList list && job.isOwner() && !list.isContentWatched()) {
       Elements elements = list.modify();
       int place = place(index, elements.size());
       if (place >= 0) {
         elements.set(place, value);
-        list.noteContentChange();
         return true;
       }
     }
     return false;
   }
 
-  /** Adds an element at the end; false if something is not as expected. */
+  /** Adds an element at the end; false if something is not as expected, as in the one above. */
   protected static boolean append(UrbiObject target, UrbiObject value, Job job) {
-    if (target instanceof UrbiList list && job.isOwner()) {
+    if (target instanceof UrbiList list && job.isOwner() && !list.isContentWatched()) {
       list.modify().add(value);
-      list.noteContentChange();
       return true;
     }
     return false;

@@ -32,9 +32,9 @@ public final class DictionaryKey {
     }
   }
 
-  /** Whether no code of urbiscript is called for such a key. */
+  /** Whether to find such a key calls no code of urbiscript, and takes some nanoseconds at most. */
   static boolean isPlain(UrbiObject value) {
-    return value instanceof UrbiString || value instanceof UrbiFloat;
+    return value instanceof UrbiString text ? text.isShort() : value instanceof UrbiFloat;
   }
 
   /** The key for a value. */

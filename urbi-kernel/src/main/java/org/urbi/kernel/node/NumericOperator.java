@@ -119,7 +119,7 @@ public final class NumericOperator extends Node {
   }
 
   /** The operator as a message, for operands that are no plain numbers. */
-  MessageSend message() {
+  public MessageSend message() {
     return message;
   }
 
@@ -141,15 +141,31 @@ public final class NumericOperator extends Node {
 
   /** Whether the operator is one of the library by which any objects, or strings, are compared. */
   boolean equates(Frame frame, UrbiObject left) {
-    World world = frame.interpreter.world();
-    if (kind < EQUAL || world.tracker != null || world.profiled) {
-      return false;
-    }
-    EqualityCache cache = left instanceof UrbiString ? texts : objects;
-    return cache.has(left.shape()) || finds(frame, left, cache);
+    return isKnown(left) || mayEquate(frame.interpreter.world()) && finds(frame, left);
   }
 
-  private boolean finds(Frame frame, UrbiObject left, EqualityCache cache) {
+  /**
+   * Whether it has been one of these for such an object; to ask that has no effect. A long string
+   * must be {@linkplain #equates asked for} each time, since to compare it takes longer than code
+   * may that just counts its turns.
+   */
+  boolean equatesAsBefore(UrbiObject left) {
+    return !(left instanceof UrbiString text && !text.isShort()) && isKnown(left);
+  }
+
+  private boolean isKnown(UrbiObject left) {
+    return mayEquate(left.world()) && cache(left).has(left.shape());
+  }
+
+  private boolean mayEquate(World world) {
+    return kind >= EQUAL && world.tracker == null && !world.profiled;
+  }
+
+  private EqualityCache cache(UrbiObject left) {
+    return left instanceof UrbiString ? texts : objects;
+  }
+
+  private boolean finds(Frame frame, UrbiObject left) {
     UrbiObject found = stored(left, name);
     if (found == null) {
       return false;
@@ -159,7 +175,7 @@ public final class NumericOperator extends Node {
             ? frame.interpreter.comparesText(found)
             : frame.interpreter.comparesIdentity(found, stored(left, equality));
     if (equates) {
-      cache.add(frame.interpreter.world(), left.shape());
+      cache(left).add(frame.interpreter.world(), left.shape());
     }
     return equates;
   }

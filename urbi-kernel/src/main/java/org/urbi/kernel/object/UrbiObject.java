@@ -568,28 +568,33 @@ public class UrbiObject {
   /** The condition being evaluated, if any, depends on the content of this container. */
   public final void noteContentRead() {
     if (shape.world.tracker != null) {
-      Extra x = extra();
-      if (x.content == null) {
-        x.content = new Dependencies(CONTENT);
-      }
-      shape.world.tracker.read(x.content);
+      shape.world.tracker.read(content());
     }
   }
 
-  /** Adds a watcher that is called at each change of the content of this container. */
-  public final void watchContent(Dependencies.Watcher watcher) {
+  private Dependencies content() {
     Extra x = extra();
     if (x.content == null) {
       x.content = new Dependencies(CONTENT);
     }
-    x.content.add(watcher);
+    return x.content;
+  }
+
+  /** Adds a watcher that is called at each change of the content of this container. */
+  public final void watchContent(Dependencies.Watcher watcher) {
+    content().add(watcher);
+  }
+
+  /** Whether there may be somebody to be told when the content of this container changes. */
+  public final boolean isContentWatched() {
+    Extra x = extraOrNull();
+    return x != null && x.content != null;
   }
 
   /** The content of this container has changed. */
   public final void noteContentChange() {
-    Extra x = extraOrNull();
-    if (x != null && x.content != null) {
-      x.content.changed();
+    if (isContentWatched()) {
+      content().changed();
     }
   }
 }

@@ -15,6 +15,8 @@ public final class UrbiString extends UrbiObject {
   /** Shorter strings are copied, which is cheap and needs one object less. */
   private static final int SHARED_LENGTH = 1024;
 
+  private static final int SHORT_LENGTH = 256;
+
   /** The text; null while it is only in the buffer. */
   private @Nullable String value;
 
@@ -58,6 +60,11 @@ public final class UrbiString extends UrbiObject {
     buffer = null;
     own = false;
     noteContentChange();
+  }
+
+  /** Whether to compare it, or to find it in a dictionary, takes some nanoseconds at most. */
+  public boolean isShort() {
+    return length <= SHORT_LENGTH;
   }
 
   /** The number of characters. */

@@ -28,19 +28,24 @@ abstract class CodeWriter {
    */
   static final Set<String> QUIET =
       Set.of(
+          "append",
           "captured",
           "element",
           "entry",
+          "equatesAsBefore",
           "frame",
           "hasEntry",
           "isExposed",
           "isNumber",
+          "isSame",
           "job",
           "local",
           "not",
           "number",
           "object",
+          "replaceEntry",
           "self",
+          "setElement",
           "size");
 
   private static final int NO_COUNT = -1;

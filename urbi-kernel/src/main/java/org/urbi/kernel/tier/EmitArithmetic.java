@@ -102,6 +102,10 @@ final class EmitArithmetic {
       to.code.goto_(ready);
       to.code.labelBinding(neither);
       to.load(left);
+      to.constant(operator, Names.OPERATOR);
+      to.help("equatesAsBefore", CD_boolean, Names.OBJECT, Names.OPERATOR);
+      to.code.dup().istore(equates).ifne(ready);
+      to.load(left);
       to.frame();
       to.constant(operator, Names.OPERATOR);
       to.place();
@@ -155,11 +159,12 @@ final class EmitArithmetic {
       NumericOperator operator, int equates, Value left, Value right, Value result, Label over) {
     Label numbers = to.code.newLabel();
     to.code.iload(equates).ifeq(numbers);
+    to.located(operator.message(), () -> to.notVoid(right));
     to.load(left);
     to.load(right);
-    to.frame();
     to.constant(operator, Names.OPERATOR);
-    to.help("isSame", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+    to.constant(to.values, Names.VALUES);
+    to.help("isSame", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.OPERATOR, Names.VALUES);
     to.code.astore(result.object()).goto_(over);
     to.code.labelBinding(numbers);
   }
