@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,9 +30,10 @@ class CompiledCodeTest {
       List.of(new Mode(1, 0), new Mode(2, 0), new Mode(1, 3), new Mode(3, 2));
 
   /** For 10,000 nested calls, not 200,000: only programs about the stack need all of it. */
-  private static final int SMALL_STACK = 100;
+  static final int SMALL_STACK = 100;
 
-  private static void compare(String name, int stack, String program) {
+  /** Runs a program in all modes. */
+  static void compare(String name, int stack, String program) {
     String interpreted = KernelSession.runCompiled(0, 0, stack, program);
     for (Mode mode : MODES) {
       String compiled = KernelSession.runCompiled(mode.threshold, mode.doubt, stack, program);
@@ -43,10 +45,15 @@ class CompiledCodeTest {
 
   @Test
   void generatedProgramsDoTheSame() {
+    compareGenerated(NumericProgramGenerator::program);
+  }
+
+  /** Runs programs of one seed after the other. */
+  static void compareGenerated(LongFunction<String> generator) {
     long end = System.nanoTime() + GENERATED.toNanos();
     long seed = FIRST_SEED;
     do {
-      compare("the program of seed " + seed, 0, NumericProgramGenerator.program(seed));
+      compare("the program of seed " + seed, 0, generator.apply(seed));
       seed++;
     } while (System.nanoTime() < end);
   }

@@ -11,10 +11,10 @@ import org.urbi.kernel.object.World;
  * How compiled code calls compiled code: with pairs, and without a frame until something needs one.
  */
 abstract class CallAccess extends FrameAccess {
-  /** Begins a call. */
-  protected static void enter(Frame caller, CallSite at) {
+  /** Begins a call. The interpreter is that of the frame: emitted code has it as a constant. */
+  protected static void enter(Frame caller, CallSite at, Interpreter interpreter) {
     try {
-      caller.interpreter.enter(caller.job, caller.depth + 1);
+      interpreter.enter(caller.job, caller.depth + 1);
     } catch (UrbiException e) {
       throw located(e, caller, at.calledSpan());
     }

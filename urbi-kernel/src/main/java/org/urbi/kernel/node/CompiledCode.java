@@ -17,7 +17,7 @@ import org.urbi.kernel.object.Values;
  * What hot code is compiled to, and what such code calls. A value of it is a pair: a double, and an
  * object or null. Null stands for a plain number of which there is no object yet.
  */
-public abstract class CompiledCode extends CallAccess {
+public abstract class CompiledCode extends OwnCallAccess {
   /** What a loop does next. */
   private static final int RETURN = 0;
 

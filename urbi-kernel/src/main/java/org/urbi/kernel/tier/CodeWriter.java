@@ -53,8 +53,7 @@ abstract class CodeWriter {
   final CodeBuilder code;
   final Unit unit;
   final Values values;
-  private final int frame;
-  private final int by;
+  final Activation activation;
   private final int job;
 
   /** How many bytes there are, at least. */
@@ -69,20 +68,22 @@ abstract class CodeWriter {
   /** An error without a place gets that of this node, while its code is emitted; null for none. */
   private @Nullable Node place;
 
-  /** Emits the beginning of the method; {@link EmitFunction} tells the parameters of functions. */
-  CodeWriter(CodeBuilder code, Unit unit) {
+  /** Emits the beginning of the method. */
+  CodeWriter(CodeBuilder code, Unit unit, Activation activation) {
     this.code = code;
     this.unit = unit;
     this.values = unit.values();
     // What has been emitted before was thrown away, because its jumps were too short.
     unit.counting().set(0);
-    this.frame = code.parameterSlot(0);
-    this.by = code.parameterSlot(unit.isLoop() ? 0 : 1);
+    this.activation = activation;
     this.job = code.allocateLocal(TypeKind.REFERENCE);
     this.free = job + 1;
-    code.aload(by);
-    help("job", Names.JOB, Names.FRAME);
+    activation.job(code);
     code.astore(job);
+  }
+
+  boolean isLoopUnit() {
+    return unit.isLoop();
   }
 
   /** Begins a range of code whose exceptions are handled; such a range must not be empty. */
@@ -267,46 +268,37 @@ abstract class CodeWriter {
 
   /** Pushes the frame. That of a function is made here, if nobody has needed it until now. */
   void frame() {
-    code.aload(frame);
-    if (!unit.isLoop()) {
-      for (int i = 1; i < EmitFunction.BODY_PARAMETERS; i++) {
-        code.aload(code.parameterSlot(i));
-      }
-      help(
-          unit.hasCells() ? "frameWithCells" : "frame",
-          Names.FRAME,
-          Names.FRAME,
-          Names.FRAME,
-          Names.FUNCTION,
-          Names.SITE,
-          Names.OBJECT);
-      code.dup().astore(frame);
-    }
+    grow();
+    activation.frame(code);
   }
 
   /** Pushes the frame, or null if nobody has needed it until now. */
   void frameIfAny() {
-    code.aload(frame);
+    activation.frameIfAny(code);
   }
 
-  /** Pushes the frame that keeps the number with which a function answers. */
-  void answered() {
-    code.aload(by);
+  /** Makes the number on the stack what the function answers with, and jumps to its end. */
+  void answerNumber(Label end) {
+    beforeOthers();
+    activation.answerNumber(code);
+    code.goto_(end);
+  }
+
+  /** Makes the object on the stack what the function answers with, and jumps to its end. */
+  void answerObject(Label end) {
+    beforeOthers();
+    activation.answerObject(code);
+    code.goto_(end);
   }
 
   /** Pushes the function that is being executed. */
   void function() {
-    code.aload(code.parameterSlot(EmitFunction.FUNCTION));
+    activation.function(code);
   }
 
   /** Pushes {@code this} of urbiscript. */
   void self() {
-    if (unit.isLoop()) {
-      frame();
-      help("self", Names.OBJECT, Names.FRAME);
-    } else {
-      code.aload(code.parameterSlot(EmitFunction.SELF));
-    }
+    activation.self(code);
   }
 
   /** Pushes the job. */

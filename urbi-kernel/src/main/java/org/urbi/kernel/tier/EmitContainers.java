@@ -7,43 +7,23 @@ import static java.lang.constant.ConstantDescs.CD_void;
 
 import java.lang.classfile.Label;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Shortcut;
 import org.urbi.kernel.node.SlotLookup;
-import org.urbi.kernel.object.UrbiCode;
 
 /** Emits what functions of the library do with lists and dictionaries, without a call. */
 final class EmitContainers {
   private final Emitter to;
   private final EmitSlots slots;
-  private final Unit unit;
+  private final Callees callees;
 
-  EmitContainers(Emitter to, EmitSlots slots, Unit unit) {
+  EmitContainers(Emitter to, EmitSlots slots, Callees callees) {
     this.to = to;
     this.slots = slots;
-    this.unit = unit;
-  }
-
-  /** The shortcut for a function that has been found, with that many arguments; null if none. */
-  @Nullable Shortcut shortcut(@Nullable UrbiCode code, int arguments) {
-    Shortcut known =
-        code == null || unit.frame().interpreter().isProfiling()
-            ? null
-            : unit.frame().interpreter().shortcut(code);
-    if (known == null) {
-      return null;
-    }
-    int wanted =
-        switch (known) {
-          case SIZE_OF_LIST, SIZE_OF_TEXT, SIZE_OF_DICTIONARY, NOT -> 0;
-          case ELEMENT, APPEND, ENTRY, HAS_ENTRY -> 1;
-          case SET_ELEMENT, SET_ENTRY -> 2;
-        };
-    return wanted == arguments ? known : null;
+    this.callees = callees;
   }
 
   /** Emits the shortcut; jumps if something is not as expected. */
@@ -207,7 +187,7 @@ final class EmitContainers {
       Label done) {
     boolean some = false;
     for (KnownSlot place : slots.places(lookup, element.target())) {
-      Shortcut shortcut = shortcut(place.code(), arguments.size());
+      Shortcut shortcut = callees.shortcut(place.code(), arguments.size());
       if (shortcut != null) {
         Label next = to.code.newLabel();
         slots.check(place, target.object(), next);

@@ -30,145 +30,180 @@ record EmitFunction(Node body) implements Tier.Emission {
   /** The name of the same as a static method, by which a function calls itself. */
   static final String DIRECT = "direct";
 
-  private static final String BODY = "body";
+  /** The name of the method that does what the function does. */
+  static final String BODY = "body";
+
   private static final int PAIR = 3;
 
-  // The parameters of the body, before the pairs: the frame, or null if there is none yet; what it
-  // is made of, which begins with the frame of who called; the last two are null, and the first two
-  // the same, if the interpreter has called.
-  private static final int FRAME = 0;
-  private static final int BY = 1;
-  static final int FUNCTION = 2;
-  private static final int SITE = 3;
-  static final int SELF = 4;
-  static final int BODY_PARAMETERS = 5;
+  // The parameters of a call, before the pairs.
+  static final int CALLED = 0;
+  static final int CALLER = 1;
+  static final int AT = 2;
+  static final int SELF = 3;
+  private static final List<ClassDesc> CALL_PARAMETERS =
+      List.of(Names.FUNCTION, Names.FRAME, Names.SITE, Names.OBJECT);
 
-  /** The type of {@link #CALL}. */
+  /** The type of {@link #CALL} and {@link #DIRECT}. */
   static MethodTypeDesc callType(int parameters) {
-    List<ClassDesc> types =
-        new ArrayList<>(List.of(Names.FUNCTION, Names.FRAME, Names.SITE, Names.OBJECT));
-    return MethodTypeDesc.of(Names.OBJECT, withPairs(types, parameters));
+    return withPairs(Names.OBJECT, CALL_PARAMETERS, parameters);
   }
 
-  private static List<ClassDesc> withPairs(List<ClassDesc> types, int parameters) {
+  /** The type of {@link #BODY}. */
+  static MethodTypeDesc bodyType(Activation activation, int parameters) {
+    return withPairs(activation.answer(), activation.parameters(), parameters);
+  }
+
+  private static MethodTypeDesc withPairs(
+      ClassDesc answer, List<ClassDesc> before, int parameters) {
+    List<ClassDesc> types = new ArrayList<>(before);
     for (int i = 0; i < parameters; i++) {
       types.add(CD_double);
       types.add(Names.OBJECT);
     }
-    return types;
+    return MethodTypeDesc.of(answer, types);
   }
 
-  private static MethodTypeDesc bodyType(int parameters) {
-    List<ClassDesc> types =
-        new ArrayList<>(
-            List.of(Names.FRAME, Names.FRAME, Names.FUNCTION, Names.SITE, Names.OBJECT));
-    return MethodTypeDesc.of(Names.OBJECT, withPairs(types, parameters));
+  /** One way of doing that. */
+  interface Way {
+    Activation activation();
+
+    /** Emits the body, and what happens when it is over. */
+    void body(CodeBuilder code);
+
+    /** The interpreter calls: the parameters are in the frame, and an object is wanted. */
+    void run(CodeBuilder code);
+
+    /** Compiled code calls. */
+    void direct(CodeBuilder code);
   }
 
   @Override
   public void emit(ClassBuilder type, Unit unit) {
     int parameters = unit.known();
+    boolean isCalledWithPairs = parameters <= MOST_PARAMETERS;
+    Way way =
+        isCalledWithPairs && new Callees(unit).areOnlyTheFunction()
+            ? new EmitOwnCalls(body, unit)
+            : new Usual(body, unit, new Activation.OfFunction(unit.hasCells()));
     type.withMethodBody(
         BODY,
-        bodyType(parameters),
+        bodyType(way.activation(), parameters),
         ClassFile.ACC_STATIC | ClassFile.ACC_PRIVATE,
-        code -> body(code, unit));
-    type.withMethodBody("run", Tier.RUN, ClassFile.ACC_PUBLIC, code -> run(code, unit, parameters));
-    if (parameters <= MOST_PARAMETERS) {
+        way::body);
+    type.withMethodBody("run", Tier.RUN, ClassFile.ACC_PUBLIC, way::run);
+    if (isCalledWithPairs) {
       type.withMethodBody(
-          DIRECT,
-          callType(parameters),
-          ClassFile.ACC_STATIC | ClassFile.ACC_PRIVATE,
-          code -> direct(code, unit, parameters));
+          DIRECT, callType(parameters), ClassFile.ACC_STATIC | ClassFile.ACC_PRIVATE, way::direct);
       type.withMethodBody(
-          CALL, callType(parameters), ClassFile.ACC_PUBLIC, code -> call(code, unit, parameters));
+          CALL, callType(parameters), ClassFile.ACC_PUBLIC, code -> call(code, unit));
     }
   }
 
-  /** The body, and what happens when compiled code has called and it is over. */
-  private void body(CodeBuilder code, Unit unit) {
-    Emitter to = Emitter.ofFunction(code, unit);
-    int answer = to.newObject();
-    Label over = code.newLabel();
-    Label end = code.newLabel();
-    Label start = to.beginRange();
-    to.function(body, over);
-    code.labelBinding(over);
-    code.astore(answer).labelBinding(end);
-    Label last = code.newLabel();
-    code.aload(SITE).ifnull(last);
-    Label leaving = code.newBoundLabel();
-    code.aload(FRAME);
-    Emitter.help(code, "end", CD_void, Names.FRAME);
-    code.labelBinding(last);
-    code.aload(answer).areturn();
-    Label handler = code.newBoundLabel();
-    int thrown = to.newObject();
-    Label called = code.newLabel();
-    code.astore(thrown).aload(SITE).ifnonnull(called).aload(thrown).athrow();
-    code.labelBinding(called).aload(thrown);
-    to.frame();
-    Emitter.help(code, "left", Names.OBJECT, Names.THROWABLE, Names.FRAME);
-    code.astore(answer).goto_(leaving);
-    code.exceptionCatchAll(start, end, handler);
-  }
-
-  /** The interpreter calls: the parameters are in the frame, and an object is wanted. */
-  private static void run(CodeBuilder code, Unit unit, int parameters) {
-    int frame = code.parameterSlot(0);
-    code.aload(frame).aload(frame).aload(frame);
-    Emitter.help(code, "function", Names.FUNCTION, Names.FRAME);
-    code.aconst_null().aload(frame);
-    Emitter.help(code, "self", Names.OBJECT, Names.FRAME);
-    if (parameters > 0) {
-      int locals = code.allocateLocal(TypeKind.REFERENCE);
-      code.aload(frame);
-      Emitter.help(code, "locals", Names.OBJECTS, Names.FRAME);
-      code.astore(locals);
-      for (int i = 0; i < parameters; i++) {
-        code.dconst_0().aload(locals).loadConstant(i);
-        unit.constant(code, unit.values().voidObject, Names.OBJECT);
-        Emitter.help(code, "local", Names.OBJECT, Names.OBJECTS, CD_int, Names.OBJECT);
-      }
+  private static void call(CodeBuilder code, Unit unit) {
+    for (int i = CALLED; i <= SELF; i++) {
+      code.aload(code.parameterSlot(i));
     }
-    code.invokestatic(unit.owner(), BODY, bodyType(parameters));
-    Label number = code.newLabel();
-    code.dup().ifnull(number);
-    code.areturn();
-    code.labelBinding(number);
-    code.pop().aload(frame);
-    Emitter.help(code, "answer", CD_double, Names.FRAME);
-    code.aconst_null();
-    unit.constant(code, unit.values(), Names.VALUES);
-    Emitter.help(code, "object", Names.OBJECT, CD_double, Names.OBJECT, Names.VALUES);
-    code.areturn();
+    pass(code, unit);
+    code.invokestatic(unit.owner(), DIRECT, callType(unit.known())).areturn();
   }
 
-  /** Passes the parameters of a call on. */
-  private static void pass(CodeBuilder code, int parameters, int from) {
-    for (int i = 0; i < parameters; i++) {
+  /** Passes the pairs of a call on. */
+  static void pass(CodeBuilder code, Unit unit) {
+    int from = code.parameterSlot(SELF) + 1;
+    for (int i = 0; i < unit.known(); i++) {
       code.dload(from + i * PAIR).aload(from + i * PAIR + 2);
     }
   }
 
-  private static void call(CodeBuilder code, Unit unit, int parameters) {
-    for (int i = 0; i < 4; i++) {
-      code.aload(code.parameterSlot(i));
+  /** Passes the parameters that are in a frame. */
+  static void passLocals(CodeBuilder code, Unit unit, int frame) {
+    if (unit.known() == 0) {
+      return;
     }
-    pass(code, parameters, code.parameterSlot(3) + 1);
-    code.invokestatic(unit.owner(), DIRECT, callType(parameters)).areturn();
+    int locals = code.allocateLocal(TypeKind.REFERENCE);
+    code.aload(frame);
+    Emitter.help(code, "locals", Names.OBJECTS, Names.FRAME);
+    code.astore(locals);
+    for (int i = 0; i < unit.known(); i++) {
+      code.dconst_0().aload(locals).loadConstant(i);
+      unit.constant(code, unit.values().voidObject, Names.OBJECT);
+      Emitter.help(code, "local", Names.OBJECT, Names.OBJECTS, CD_int, Names.OBJECT);
+    }
   }
 
-  /** Compiled code calls. */
-  private static void direct(CodeBuilder code, Unit unit, int parameters) {
-    int called = code.parameterSlot(0);
-    int caller = code.parameterSlot(1);
-    int at = code.parameterSlot(2);
-    int self = code.parameterSlot(3);
-    code.aload(caller).aload(at);
-    Emitter.help(code, "enter", CD_void, Names.FRAME, Names.SITE);
-    code.aconst_null().aload(caller).aload(called).aload(at).aload(self);
-    pass(code, parameters, self + 1);
-    code.invokestatic(unit.owner(), BODY, bodyType(parameters)).areturn();
+  /** Begins a call. */
+  static void enter(CodeBuilder code, Unit unit) {
+    code.aload(code.parameterSlot(CALLER)).aload(code.parameterSlot(AT));
+    unit.constant(code, unit.frame().interpreter(), Names.INTERPRETER);
+    Emitter.help(code, "enter", CD_void, Names.FRAME, Names.SITE, Names.INTERPRETER);
+  }
+
+  /** A function of which nothing is known. */
+  private record Usual(Node body, Unit unit, Activation.OfFunction activation) implements Way {
+    @Override
+    public void body(CodeBuilder code) {
+      int site = code.parameterSlot(Activation.OfFunction.SITE);
+      Emitter to = Emitter.ofFunction(code, unit, activation);
+      int answer = to.newObject();
+      Label over = code.newLabel();
+      Label end = code.newLabel();
+      Label start = to.beginRange();
+      to.function(body, over);
+      code.labelBinding(over);
+      code.astore(answer).labelBinding(end);
+      Label last = code.newLabel();
+      code.aload(site).ifnull(last);
+      Label leaving = code.newBoundLabel();
+      to.frameIfAny();
+      Emitter.help(code, "end", CD_void, Names.FRAME);
+      code.labelBinding(last);
+      code.aload(answer).areturn();
+      Label handler = code.newBoundLabel();
+      int thrown = to.newObject();
+      Label called = code.newLabel();
+      code.astore(thrown).aload(site).ifnonnull(called).aload(thrown).athrow();
+      code.labelBinding(called).aload(thrown);
+      to.frame();
+      Emitter.help(code, "left", Names.OBJECT, Names.THROWABLE, Names.FRAME);
+      code.astore(answer).goto_(leaving);
+      code.exceptionCatchAll(start, end, handler);
+    }
+
+    @Override
+    public void run(CodeBuilder code) {
+      int frame = code.parameterSlot(0);
+      code.aload(frame).aload(frame).aload(frame);
+      Emitter.help(code, "function", Names.FUNCTION, Names.FRAME);
+      code.aconst_null().aload(frame);
+      Emitter.help(code, "self", Names.OBJECT, Names.FRAME);
+      passLocals(code, unit, frame);
+      callBody(code);
+      Label number = code.newLabel();
+      code.dup().ifnull(number);
+      code.areturn();
+      code.labelBinding(number);
+      code.pop().aload(frame);
+      Emitter.help(code, "answer", CD_double, Names.FRAME);
+      code.aconst_null();
+      unit.constant(code, unit.values(), Names.VALUES);
+      Emitter.help(code, "object", Names.OBJECT, CD_double, Names.OBJECT, Names.VALUES);
+      code.areturn();
+    }
+
+    @Override
+    public void direct(CodeBuilder code) {
+      enter(code, unit);
+      code.aconst_null();
+      for (int each : new int[] {CALLER, CALLED, AT, SELF}) {
+        code.aload(code.parameterSlot(each));
+      }
+      pass(code, unit);
+      callBody(code);
+      code.areturn();
+    }
+
+    private void callBody(CodeBuilder code) {
+      code.invokestatic(unit.owner(), BODY, bodyType(activation, unit.known()));
+    }
   }
 }

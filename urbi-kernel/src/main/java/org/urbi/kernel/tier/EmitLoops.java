@@ -182,7 +182,7 @@ final class EmitLoops {
   private boolean counts(Node loop) {
     Survey turns = Survey.ofTurns(loop);
     return turns.pausesOften()
-        && turns.messages().stream().allMatch(message -> to.messages().callsNobody(message));
+        && turns.messages().stream().allMatch(message -> to.callees().callsNobody(message));
   }
 
   /** Emits a loop that may detach jobs. */

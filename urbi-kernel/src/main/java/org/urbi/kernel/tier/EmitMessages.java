@@ -3,6 +3,7 @@ package org.urbi.kernel.tier;
 import static java.lang.constant.ConstantDescs.CD_boolean;
 import static java.lang.constant.ConstantDescs.CD_double;
 import static java.lang.constant.ConstantDescs.CD_int;
+import static java.lang.constant.ConstantDescs.CD_void;
 
 import java.lang.classfile.Label;
 import java.lang.constant.MethodTypeDesc;
@@ -14,34 +15,28 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.CompiledCode;
-import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Shortcut;
 import org.urbi.kernel.object.UrbiCode;
+import org.urbi.kernel.tier.Callees.Callee;
 
 /** Emits messages. A function that was found until now is called at once, if it is compiled. */
 final class EmitMessages {
   private final Emitter to;
   private final EmitSlots slots;
   private final EmitContainers containers;
+  private final Callees callees;
   private final Unit unit;
 
-  EmitMessages(Emitter to, EmitSlots slots, EmitContainers containers, Unit unit) {
+  EmitMessages(Emitter to, EmitSlots slots, EmitContainers containers, Callees callees, Unit unit) {
     this.to = to;
     this.slots = slots;
     this.containers = containers;
+    this.callees = callees;
     this.unit = unit;
   }
-
-  /**
-   * A function that is called at once.
-   *
-   * @param body what it shares with other closures of the same text
-   * @param compiled its code; null if that is what is being compiled
-   */
-  private record Callee(Function.Body body, @Nullable CompiledCode compiled) {}
 
   Value value(MessageSend message) {
     int receiver = to.newObject();
@@ -65,38 +60,6 @@ final class EmitMessages {
     return result;
   }
 
-  private @Nullable Callee callee(@Nullable UrbiCode code, int arguments) {
-    return code instanceof Function function && function.isUnbound()
-        ? callee(function.body(), arguments)
-        : null;
-  }
-
-  private @Nullable Callee callee(Function.@Nullable Body body, int arguments) {
-    if (body == null
-        || arguments > EmitFunction.MOST_PARAMETERS
-        || unit.frame().interpreter().isProfiling()) {
-      return null;
-    }
-    if (body == unit.function()) {
-      return body.takesPlainly(arguments) ? new Callee(body, null) : null;
-    }
-    CompiledCode compiled = body.direct(unit.frame(), arguments);
-    return compiled == null ? null : new Callee(body, compiled);
-  }
-
-  /**
-   * Whether a message has only read slots and containers until now, as far as is known: what calls
-   * somebody all the same gives back before, and is only slower.
-   */
-  boolean callsNobody(MessageSend message) {
-    List<KnownSlot> places = slots.places(message.lookup(), message.target());
-    int count = message.argumentNodes().length;
-    return !places.isEmpty()
-        && places.stream()
-            .map(KnownSlot::code)
-            .allMatch(code -> code == null || containers.shortcut(code, count) != null);
-  }
-
   // ------------------------------------------------------------------ without arguments
 
   private void ask(MessageSend message, int receiver, Value result) {
@@ -113,13 +76,13 @@ final class EmitMessages {
       }
       Label next = to.code.newLabel();
       slots.check(place, receiver, next);
-      Callee callee = callee(code, 0);
-      Shortcut shortcut = containers.shortcut(code, 0);
+      Callee callee = callees.of(code, 0);
+      Shortcut shortcut = callees.shortcut(code, 0);
       if (shortcut != null) {
         containers.take(shortcut, receiver, List.of(), result, next);
         to.code.goto_(over);
       } else if (callee != null) {
-        unlessOutdated(callee, next);
+        unlessOutdated(callee, code, next);
         call(callee, () -> function(code), message, receiver, List.of(), result);
         to.code.goto_(over);
       } else {
@@ -180,7 +143,7 @@ final class EmitMessages {
     List<KnownSlot> places = slots.places(message.lookup(), message.target());
     int count = message.argumentNodes().length;
     UrbiCode code = places.size() == 1 ? places.getFirst().code() : null;
-    Callee callee = callee(code, count);
+    Callee callee = callees.of(code, count);
     if (code == null || callee == null) {
       sendToAny(message, receiver, places, result);
     } else {
@@ -199,7 +162,7 @@ final class EmitMessages {
     Label other = to.code.newLabel();
     Label over = to.code.newLabel();
     slots.check(place, receiver, other);
-    unlessOutdated(callee, other);
+    unlessOutdated(callee, code, other);
     call(callee, () -> function(code), message, receiver, arguments(message), result);
     to.code.goto_(over);
     to.code.labelBinding(other);
@@ -218,7 +181,7 @@ final class EmitMessages {
     Label ready = to.code.newLabel();
     Label lazy = to.code.newLabel();
     Label over = to.code.newLabel();
-    Map<UrbiCode, Callee> callees = new LinkedHashMap<>();
+    Map<UrbiCode, Callee> functions = new LinkedHashMap<>();
     Map<UrbiCode, Shortcut> shortcuts = new LinkedHashMap<>();
     to.code.aconst_null().astore(known);
     for (KnownSlot place : places) {
@@ -227,17 +190,17 @@ final class EmitMessages {
       slots.read(place, receiver);
       to.code.astore(found);
       UrbiCode code = place.code();
-      Callee callee = callee(code, count);
-      Shortcut shortcut = containers.shortcut(code, count);
+      Callee callee = callees.of(code, count);
+      Shortcut shortcut = callees.shortcut(code, count);
       if (code != null && callee != null) {
-        callees.put(code, callee);
+        functions.put(code, callee);
       }
       if (code != null && shortcut != null) {
         shortcuts.put(code, shortcut);
       }
-      if (callee != null) {
+      if (code != null && callee != null) {
         Label outdated = to.code.newLabel();
-        unlessOutdated(callee, outdated);
+        unlessOutdated(callee, code, outdated);
         to.code.aload(found).astore(known).labelBinding(outdated);
       } else if (shortcut != null) {
         to.code.aload(found).astore(known);
@@ -259,7 +222,7 @@ final class EmitMessages {
             code,
             next -> containers.take(shortcut, receiver, arguments, result, next),
             over));
-    callees.forEach((code, callee) ->
+    functions.forEach((code, callee) ->
         when(
             known,
             code,
@@ -303,12 +266,12 @@ final class EmitMessages {
     to.code.astore(found);
     to.self();
     to.code.astore(receiver);
-    Callee callee = callee(message.called(), count);
+    Callee callee = callees.of(message.called(), count);
     if (callee != null) {
       Label other = to.code.newLabel();
       to.doubt(other);
       to.code.aload(found);
-      to.constant(callee.body, Names.BODY);
+      to.constant(callee.body(), Names.BODY);
       to.help("isFunction", CD_boolean, Names.OBJECT, Names.BODY);
       to.code.ifeq(other);
       unlessOutdated(callee, other);
@@ -384,12 +347,34 @@ final class EmitMessages {
         Names.SITE);
   }
 
-  /** Jumps if other code of the function would be faster. */
+  /**
+   * Jumps if other code of the function would be faster, or if it is not the one that is running
+   * but another of the same text.
+   */
+  private void unlessOutdated(Callee callee, UrbiCode code, Label otherwise) {
+    Activation.OfItself own = own(callee);
+    if (own == null) {
+      unlessOutdated(callee, otherwise);
+      return;
+    }
+    own.calls(to.code);
+    function(code);
+    to.help("isOwn", CD_boolean, Names.OWN_CALLS, Names.FUNCTION);
+    to.code.ifeq(otherwise);
+  }
+
   private void unlessOutdated(Callee callee, Label otherwise) {
-    if (callee.compiled != null) {
-      to.constant(callee.compiled.misses(), Names.MISSES);
+    if (callee.compiled() != null) {
+      to.constant(callee.compiled().misses(), Names.MISSES);
       to.code.invokevirtual(Names.MISSES, "isOver", MethodTypeDesc.of(CD_boolean)).ifne(otherwise);
     }
+  }
+
+  /** How the function calls itself without a frame; null if it does not, or another is called. */
+  private Activation.@Nullable OfItself own(Callee callee) {
+    return callee.compiled() == null && to.activation instanceof Activation.OfItself own
+        ? own
+        : null;
   }
 
   private void function(UrbiCode code) {
@@ -405,16 +390,32 @@ final class EmitMessages {
       List<Value> arguments,
       Value result) {
     to.beforeOthers();
+    Activation.OfItself own = own(callee);
+    if (own == null) {
+      callOther(callee, function, message, receiver, arguments, result);
+    } else {
+      callItself(own, message, arguments, result);
+    }
+    to.afterOthers();
+  }
+
+  private void callOther(
+      Callee callee,
+      Runnable function,
+      CallSite message,
+      int receiver,
+      List<Value> arguments,
+      Value result) {
     MethodTypeDesc type = EmitFunction.callType(arguments.size());
-    if (callee.compiled != null) {
-      to.constant(callee.compiled, Names.COMPILED_CODE);
+    if (callee.compiled() != null) {
+      to.constant(callee.compiled(), Names.COMPILED_CODE);
     }
     function.run();
     to.frame();
     to.constant(message, Names.SITE);
     to.code.aload(receiver);
     arguments.forEach(this::pass);
-    if (callee.compiled == null) {
+    if (callee.compiled() == null) {
       to.code.invokestatic(unit.owner(), EmitFunction.DIRECT, type);
     } else {
       to.code.invokevirtual(Names.COMPILED_CODE, EmitFunction.CALL, type);
@@ -425,7 +426,26 @@ final class EmitMessages {
     to.help("answer", CD_double, Names.FRAME);
     to.code.dstore(result.number());
     to.code.labelBinding(object);
-    to.afterOthers();
+  }
+
+  /** Calls the function that is running, for the same target. */
+  private void callItself(
+      Activation.OfItself own, CallSite message, List<Value> arguments, Value result) {
+    own.place(to.code);
+    to.code.loadConstant(own.number(message));
+    to.constant(unit.frame().interpreter(), Names.INTERPRETER);
+    to.help("enter", CD_void, Names.OWN_CALLS, CD_int, CD_int, Names.INTERPRETER);
+    own.place(to.code);
+    to.code.iconst_1().iadd();
+    arguments.forEach(this::pass);
+    to.code.invokestatic(
+        unit.owner(), EmitFunction.BODY, EmitFunction.bodyType(own, arguments.size()));
+    Label number = to.code.newLabel();
+    to.code.dstore(result.number()).aconst_null().astore(result.object());
+    slots.unlessMissing(result.number(), number);
+    own.calls(to.code);
+    to.help("answered", Names.OBJECT, Names.OWN_CALLS);
+    to.code.astore(result.object()).labelBinding(number);
   }
 
   /** Pushes a pair. Of a variable there are two from now on, which must be the same object. */

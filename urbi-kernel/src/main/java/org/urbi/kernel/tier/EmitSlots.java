@@ -9,17 +9,14 @@ import static java.lang.constant.ConstantDescs.CD_void;
 import java.lang.classfile.Label;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
-import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.KnownSlot;
-import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.SlotLookup;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.object.Shape;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiCode;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -28,9 +25,6 @@ import org.urbi.kernel.object.UrbiObject;
  * that depends on, besides the shape of the target, is told by the epoch of the name.
  */
 final class EmitSlots {
-  /** For more shapes of targets the cache of the node is as good. */
-  private static final int MOST_PLACES = 4;
-
   private static final MethodTypeDesc IS_OF = MethodTypeDesc.of(CD_boolean, Names.OBJECT);
   private static final MethodTypeDesc READ = MethodTypeDesc.of(Names.OBJECT, Names.OBJECT);
   private static final MethodTypeDesc SET =
@@ -43,58 +37,18 @@ final class EmitSlots {
       MethodTypeDesc.of(CD_boolean, Names.SHAPE, CD_int, CD_double, Names.SHAPE);
 
   private final Emitter to;
+  private final KnownPlaces places;
   private final Unit unit;
 
   EmitSlots(Emitter to, Unit unit) {
     this.to = to;
+    this.places = new KnownPlaces(unit);
     this.unit = unit;
   }
 
-  // ------------------------------------------------------------------ where slots are
-
   /** Where the slots of a name are that was looked up in a target. */
   List<KnownSlot> places(SlotLookup lookup, @Nullable Node target) {
-    List<KnownSlot> places = new ArrayList<>();
-    if (isLobby(target)) {
-      KnownSlot place = ofLobby(lookup.name());
-      if (place != null) {
-        places.add(place);
-      }
-      return places;
-    }
-    for (SlotLookup.Known known : lookup.known()) {
-      if (places.size() < MOST_PLACES) {
-        places.add(known(lookup.name(), known.shape(), null, known.holder(), known.index()));
-      }
-    }
-    return places;
-  }
-
-  /** Whether the target is a lobby: its shape changes with each variable of the top level. */
-  private boolean isLobby(@Nullable Node target) {
-    return (target == null || target instanceof Literals.This)
-        && unit.frame().self() == unit.frame().job().lobby();
-  }
-
-  private @Nullable KnownSlot ofLobby(Symbol name) {
-    UrbiObject lobby = unit.frame().self();
-    UrbiObject holder = lobby.locate(name);
-    if (holder == null || holder.shape().readSpecial(holder.shape().indexOf(name))) {
-      return null;
-    }
-    lobby.announceChanges();
-    lobby.world().remember(name);
-    return known(name, null, lobby, holder, holder.shape().indexOf(name));
-  }
-
-  private KnownSlot known(
-      Symbol name,
-      @Nullable Shape shape,
-      @Nullable UrbiObject self,
-      @Nullable UrbiObject holder,
-      int index) {
-    return new KnownSlot(
-        unit.frame().self().world(), name, name.epoch(), shape, self, holder, index);
+    return places.of(lookup, target);
   }
 
   private void place(KnownSlot place, int target) {
@@ -159,13 +113,23 @@ final class EmitSlots {
     to.constant(shape, Names.SHAPE);
     to.code.loadConstant(index).invokevirtual(Names.OBJECT, "numberAt", NUMBER);
     int number = to.storedNumber().number();
+    compareWithMissing(number);
+    to.code.ifeq(otherwise);
+    return number;
+  }
+
+  /** Jumps unless it is what stands for a missing number. */
+  void unlessMissing(int number, Label otherwise) {
+    compareWithMissing(number);
+    to.code.ifne(otherwise);
+  }
+
+  private void compareWithMissing(int number) {
     to.code
         .dload(number)
         .invokestatic(ConstantDescs.CD_Double, "doubleToRawLongBits", BITS)
         .loadConstant(NO_NUMBER)
-        .lcmp()
-        .ifeq(otherwise);
-    return number;
+        .lcmp();
   }
 
   /** Jumps if somebody collects what is read. */
@@ -257,12 +221,13 @@ final class EmitSlots {
     to.load(value);
     Value result = to.storedObject();
     Shape shape = assignment.knownShape();
-    KnownSlot place = isLobby(assignment.target()) ? ofLobby(assignment.name()) : null;
+    KnownSlot place =
+        places.isLobby(assignment.target()) ? places.ofLobby(assignment.name()) : null;
     if (place != null && place.isPlainlyOwn()) {
       set(place, target, result, slow, over);
     } else if (shape != null) {
       set(
-          known(assignment.name(), shape, null, null, assignment.knownIndex()),
+          places.known(assignment.name(), shape, null, null, assignment.knownIndex()),
           target,
           result,
           slow,

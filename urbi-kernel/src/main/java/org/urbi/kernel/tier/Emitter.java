@@ -44,6 +44,7 @@ final class Emitter extends CodeWriter {
   private final EmitVariables assignments;
   private final EmitStatements statements;
   private final EmitSlots slots;
+  private final Callees callees;
   private final EmitContainers containers;
   private final EmitMessages messages;
   private final EmitLoops loops;
@@ -53,16 +54,17 @@ final class Emitter extends CodeWriter {
   /** Where a function goes when it is over; null for a loop. */
   private @Nullable Label over;
 
-  private Emitter(CodeBuilder code, Unit unit) {
-    super(code, unit);
+  private Emitter(CodeBuilder code, Unit unit, Activation activation) {
+    super(code, unit, activation);
     this.doubt = unit.doubt();
     this.survey = unit.survey();
     this.slots = new EmitSlots(this, unit);
     this.arithmetic = new EmitArithmetic(this, slots);
     this.assignments = new EmitVariables(this);
     this.statements = new EmitStatements(this);
-    this.containers = new EmitContainers(this, slots, unit);
-    this.messages = new EmitMessages(this, slots, containers, unit);
+    this.callees = new Callees(unit);
+    this.containers = new EmitContainers(this, slots, callees);
+    this.messages = new EmitMessages(this, slots, containers, callees, unit);
     this.loops = new EmitLoops(this);
     this.scopes = new EmitScopes(this);
     this.tries = new EmitTry(this);
@@ -70,7 +72,7 @@ final class Emitter extends CodeWriter {
 
   /** For a loop, whose variables are in the frame. */
   static Emitter ofLoop(CodeBuilder code, Unit unit) {
-    Emitter to = new Emitter(code, unit);
+    Emitter to = new Emitter(code, unit, new Activation.OfLoop());
     to.addVariables(0);
     for (int i = 0; i < unit.locals(); i++) {
       if (unit.survey().mayMention(i)) {
@@ -81,10 +83,10 @@ final class Emitter extends CodeWriter {
   }
 
   /** For a function, whose parameters are those of the method, as pairs. */
-  static Emitter ofFunction(CodeBuilder code, Unit unit) {
-    Emitter to = new Emitter(code, unit);
+  static Emitter ofFunction(CodeBuilder code, Unit unit, Activation activation) {
+    Emitter to = new Emitter(code, unit, activation);
     for (int i = 0; i < unit.known(); i++) {
-      int pair = EmitFunction.BODY_PARAMETERS + 2 * i;
+      int pair = activation.parameters().size() + 2 * i;
       to.variables.add(new Value(code.parameterSlot(pair), code.parameterSlot(pair + 1), i));
     }
     to.addVariables(unit.known());
@@ -128,8 +130,8 @@ final class Emitter extends CodeWriter {
     return statements;
   }
 
-  EmitMessages messages() {
-    return messages;
+  Callees callees() {
+    return callees;
   }
 
   EmitLoops loops() {
@@ -148,21 +150,17 @@ final class Emitter extends CodeWriter {
     return survey;
   }
 
-  boolean isLoopUnit() {
-    return unit.isLoop();
-  }
-
   /** Whether somebody may look at the variables when an exception has left this code. */
   boolean isObserved() {
     return unit.guarded();
   }
 
-  /** Leaves a function: a number without an object is left in the frame of who called. */
+  /** Leaves a function. */
   void answer(Value value) {
     Label end = requireNonNull(over, "only functions answer");
     if (!value.hasNumber()) {
       load(value);
-      code.goto_(end);
+      answerObject(end);
       return;
     }
     if (value.isVariable() && survey.mayExpose(value.variable())) {
@@ -170,19 +168,17 @@ final class Emitter extends CodeWriter {
       Label unseen = code.newLabel();
       ifExposed(unseen);
       load(value);
-      code.goto_(end);
+      answerObject(end);
       code.labelBinding(unseen);
     }
     if (value.hasObject()) {
       Label number = code.newLabel();
-      code.aload(value.object()).ifnull(number);
-      code.aload(value.object()).goto_(end);
+      code.aload(value.object()).ifnull(number).aload(value.object());
+      answerObject(end);
       code.labelBinding(number);
     }
     code.dload(value.number());
-    answered();
-    help("setAnswer", ConstantDescs.CD_void, ConstantDescs.CD_double, Names.FRAME);
-    code.aconst_null().goto_(end);
+    answerNumber(end);
   }
 
   /** Emits a statement, after which jumps of code that is not compiled are looked for. */

@@ -129,6 +129,11 @@ final class Survey {
     return pausesOften() && messages.isEmpty();
   }
 
+  /** Whether it may call somebody in other ways than by a message that is known. */
+  boolean mayCallUnseen() {
+    return hides || callsLocal;
+  }
+
   /** The messages that are sent in it. */
   List<MessageSend> messages() {
     return messages;
