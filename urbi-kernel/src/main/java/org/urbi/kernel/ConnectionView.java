@@ -18,6 +18,7 @@ import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.observe.Watch;
+import org.urbi.lang.input.TypedText;
 
 /** What the client of a connection sees of the kernel, and does to its jobs and tags. */
 final class ConnectionView {
@@ -56,7 +57,9 @@ final class ConnectionView {
   }
 
   CompletableFuture<List<Proposal>> propose(Supplier<UrbiLobby> lobby, String text) {
-    return ask(() -> Proposals.of(lobby.get(), text));
+    // What has been typed is looked at here: it may be long.
+    TypedText typed = TypedText.of(text);
+    return ask(() -> Proposals.of(lobby.get(), typed));
   }
 
   CompletableFuture<Sample> sample(List<String> ways) {

@@ -95,6 +95,8 @@ class ReactionViewTest {
     program.say("var Global.x = 0|; for (var i : 2000) at (x == 1) x; at (x == 77) x;");
     assertEquals(2001, owner.lookFor("").last.reactions().total());
     assertEquals(500, owner.reactions.size());
+    assertTrue(owner.views > 5, () -> "only " + owner.views + " looks at thousands");
+    assertTrue(owner.voidViews > 5, () -> owner.voidViews + " tell nothing, and are not sent");
     owner.lookFor("X == 77");
     assertEquals(1, owner.last.reactions().total());
     assertEquals(1, owner.reactions.size());

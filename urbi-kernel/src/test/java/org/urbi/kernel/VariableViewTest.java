@@ -163,6 +163,7 @@ class VariableViewTest {
     program.say("var Global.o = Object.new|; for (var i : 3000) o.setSlot(\"x\" + i, i);");
     owner.lookAt("Global\n.o");
     assertEquals(List.of(3000, 500), List.of(owner.object.total(), owner.slots.size()));
+    assertTrue(owner.views > 5, () -> "only " + owner.views + " looks at thousands");
   }
 
   @Test

@@ -60,7 +60,7 @@ public final class Viewer {
       last = client.connection().look(wanted).join();
       views++;
       voidViews += last.isVoid() ? 1 : 0;
-      assertTrue(last.jobs().size() <= 500, "a limited number in one tick");
+      assertTrue(last.jobs().size() <= 200, "a limited number in one tick");
       take();
     } while (!last.complete());
     return this;

@@ -109,12 +109,14 @@ public final class WatchedSources implements Dependencies.Tracker {
 
   /** The names of what the last evaluation has read, each once, in the order of its reading. */
   List<String> names(int most) {
-    return now.stream()
-        .map(watch -> watch.source().name())
-        .filter(name -> !name.isEmpty())
-        .distinct()
-        .limit(most)
-        .toList();
+    List<String> names = new ArrayList<>();
+    for (int i = 0; i < now.size() && names.size() < most; i++) {
+      String name = now.get(i).source().name();
+      if (!name.isEmpty() && !names.contains(name)) {
+        names.add(name);
+      }
+    }
+    return names;
   }
 
   /** Watches nothing any more. */

@@ -95,6 +95,7 @@ final class JobTime implements Runnable {
   }
 
   private void standStill() {
+    job.scheduler().observation().changed(job);
     frozenSince = now();
     if (timer != null) {
       timer.cancel();
@@ -102,6 +103,7 @@ final class JobTime implements Runnable {
   }
 
   private void goOn() {
+    job.scheduler().observation().changed(job);
     long now = now();
     shift += now - frozenSince;
     if (timer != null) {

@@ -39,8 +39,7 @@ public final class Scheduler {
   private final Timers timers = new Timers(this::admitTimer);
   private final Budget common = new Budget();
   private final UsageMeter meter;
-  private @Nullable TurnMeter turnMeter;
-  private int observers;
+  private final Observation observation;
   private final SimulationPace pace;
   private final MemoryWait memory;
   private final Interruptions interruptions;
@@ -89,6 +88,7 @@ public final class Scheduler {
       BiConsumer<Job, Throwable> uncaught) {
     this.world = world;
     this.machine = machine;
+    this.observation = new Observation(machine);
     this.journal = journal;
     this.counted = journal.countsChecks();
     this.inbox = new Inbox(journal);
@@ -158,19 +158,9 @@ public final class Scheduler {
     return timers;
   }
 
-  /** From now on somebody looks at the jobs: their turns are measured. */
-  public TurnMeter beginObservation() {
-    TurnMeter measuring = turnMeter == null ? new TurnMeter(machine) : turnMeter;
-    turnMeter = measuring;
-    observers++;
-    return measuring;
-  }
-
-  /** Ends one {@link #beginObservation}. */
-  public void endObservation() {
-    if (--observers == 0) {
-      turnMeter = null;
-    }
+  /** Measures the jobs while somebody looks at them. */
+  public Observation observation() {
+    return observation;
   }
 
   /** Measures what the jobs of each lobby use. */
@@ -248,6 +238,11 @@ public final class Scheduler {
     return all;
   }
 
+  /** How many jobs have not ended. */
+  public int jobCount() {
+    return jobs.size();
+  }
+
   /** How many nested calls a job can hold. */
   public int maximumDepth() {
     return threads.maximumDepth();
@@ -296,9 +291,7 @@ public final class Scheduler {
   private Job list(Job job) {
     yields.endGrant();
     jobs.add(job.listed);
-    if (turnMeter != null) {
-      turnMeter.started(job, running);
-    }
+    observation.started(job, running);
     return job;
   }
 
@@ -324,9 +317,7 @@ public final class Scheduler {
    * on at once.
    */
   void enqueueAgain(Job job) {
-    if (turnMeter != null) {
-      turnMeter.woken(job, running);
-    }
+    observation.woken(job, running);
     runnable.add(job);
   }
 
@@ -336,6 +327,7 @@ public final class Scheduler {
 
   void ended(Job job) {
     job.listed.leave();
+    observation.ended(job);
   }
 
   /** Reports an exception that nobody will catch. */
@@ -558,9 +550,7 @@ public final class Scheduler {
   /** Nobody's turn begins. */
   void endTurn() {
     running = null;
-    if (turnMeter != null) {
-      turnMeter.turnOf(null);
-    }
+    observation.turnOf(null);
   }
 
   /**
@@ -574,9 +564,7 @@ public final class Scheduler {
     running = job;
     interruptions.beginTurnOf(job);
     meter.turnOf(job.budget());
-    if (turnMeter != null) {
-      turnMeter.turnOf(job);
-    }
+    observation.turnOf(job);
   }
 
   private void runEndOfTick() {

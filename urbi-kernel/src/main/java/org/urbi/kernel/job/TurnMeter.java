@@ -51,12 +51,16 @@ public final class TurnMeter {
     /** When it was started, if its first turns are kept. */
     private long born;
 
+    /** The number of the latest of its {@linkplain ChangedJobs changes} that was noted. */
+    long changed;
+
     private boolean isTraced() {
       return tracers > 0 || firstTurns > 0;
     }
   }
 
   private final Clock machine;
+  private final ChangedJobs changes;
 
   // The turns that are kept. To keep one takes no memory: if it did, a job could lose its turn when
   // there is none.
@@ -85,8 +89,17 @@ public final class TurnMeter {
   /** Of the job whose turn it is: it may be woken again before that is over. */
   private final long[] wakersNow = new long[WAKERS];
 
-  TurnMeter(Clock machine) {
+  /**
+   * @param firstChange the number of the first change of a job: see {@link ChangedJobs}
+   */
+  TurnMeter(Clock machine, long firstChange) {
     this.machine = machine;
+    changes = new ChangedJobs(firstChange);
+  }
+
+  /** Which jobs have changed. */
+  public ChangedJobs changes() {
+    return changes;
   }
 
   private Measures measures(Job job) {
@@ -102,6 +115,25 @@ public final class TurnMeter {
       job.measures = known;
     }
     return known;
+  }
+
+  /** A job has changed: it has a turn, is new, or was frozen or unfrozen. */
+  void changed(Job job) {
+    changed(job, measures(job));
+  }
+
+  private void changed(Job job, Measures measures) {
+    if (measures == lost) {
+      changes.changed(job);
+    } else {
+      changes.changed(job, measures);
+    }
+  }
+
+  /** A job has ended. */
+  void ended(Job job) {
+    Measures known = job.measures;
+    changes.ended(job, known == null ? lost : known);
   }
 
   /** A job has become runnable because of another one; null if because of something else. */
@@ -122,6 +154,8 @@ public final class TurnMeter {
       System.arraycopy(measures(by).starters, 0, measures.starters, 1, WAKERS - 2);
     }
     woken(job, by);
+    changes.started(job);
+    changed(job, measures);
     if (tracers > 0 && newborn < MOST_NEWBORN) {
       newborn++;
       measures.firstTurns = FIRST_TURNS;
@@ -145,7 +179,9 @@ public final class TurnMeter {
     }
     if (following != null) {
       before = following.waitsFor();
-      System.arraycopy(measures(following).wakers, 0, wakersNow, 0, WAKERS);
+      Measures measures = measures(following);
+      System.arraycopy(measures.wakers, 0, wakersNow, 0, WAKERS);
+      changed(following, measures);
     }
     charged = following;
     since = now;
@@ -207,6 +243,11 @@ public final class TurnMeter {
     return next;
   }
 
+  /** The number of the oldest turn that is kept. */
+  public long oldest() {
+    return Math.max(0, next - KEPT);
+  }
+
   /** Since when the turns of a job are kept for all, because it is new; now if they are not. */
   public long firstTurnsSince(Job job) {
     Measures measures = measures(job);
@@ -215,7 +256,7 @@ public final class TurnMeter {
 
   /** When the oldest turn began that is kept of those from a number on; 0 if none is lost. */
   public long lostUntil(long from) {
-    return from < next - KEPT ? begins[(int) (next % KEPT)] : 0;
+    return from < oldest() ? begins[(int) (next % KEPT)] : 0;
   }
 
   /**
@@ -224,13 +265,14 @@ public final class TurnMeter {
    * are left out.
    *
    * @param from the number of the first one that is wanted
+   * @param to the number of the first one that is not wanted any more; at most {@link #next}
    * @param wanted the numbers of the jobs
    */
-  public List<Turn> turns(long from, Set<Long> wanted) {
+  public List<Turn> turns(long from, long to, Set<Long> wanted) {
     newborn = 0;
-    untold = next;
+    untold = to;
     List<Turn> turns = new ArrayList<>();
-    for (long number = Math.max(from, next - KEPT); number < next; number++) {
+    for (long number = Math.max(from, oldest()); number < to; number++) {
       int at = (int) (number % KEPT);
       Wait wait = waits[at];
       if (wait != null && (first[at] || wanted.contains(jobs[at]))) {
@@ -241,9 +283,10 @@ public final class TurnMeter {
   }
 
   private List<Long> wakers(int at) {
-    return Arrays.stream(wakers, WAKERS * at, WAKERS * (at + 1))
-        .takeWhile(number -> number != 0)
-        .boxed()
-        .toList();
+    List<Long> known = new ArrayList<>(WAKERS);
+    for (int i = WAKERS * at; i < WAKERS * (at + 1) && wakers[i] != 0; i++) {
+      known.add(wakers[i]);
+    }
+    return known;
   }
 }

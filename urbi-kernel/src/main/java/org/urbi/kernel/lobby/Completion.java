@@ -34,15 +34,14 @@ public final class Completion {
    * @return the possible last names in alphabetical order: {@code head}, {@code heading}
    */
   public static List<String> of(UrbiObject lobby, String text) {
-    return List.copyOf(found(lobby, text).keySet());
+    return List.copyOf(found(lobby, TypedText.of(text)).keySet());
   }
 
   /**
    * The possible last names, as of {@link #of}, with the values of the slots of that name; keywords
    * and local variables have none.
    */
-  public static Map<String, Optional<UrbiObject>> found(UrbiObject lobby, String text) {
-    TypedText typed = TypedText.of(text);
+  public static Map<String, Optional<UrbiObject>> found(UrbiObject lobby, TypedText typed) {
     if (typed.isInText() || typed.begun().isEmpty() && !typed.isSlot()) {
       return Map.of();
     }
@@ -63,7 +62,7 @@ public final class Completion {
   private void add(String name) {
     if (name.startsWith(begun)
         && (names.size() < MOST || name.compareTo(names.last()) < 0)
-        && name.chars().allMatch(Completion::isTyped)
+        && isTyped(name)
         && names.add(name)
         && names.size() > MOST) {
       names.removeLast();
@@ -71,8 +70,14 @@ public final class Completion {
   }
 
   /** Operators are not written after a dot, and names with a dollar are not for people. */
-  private static boolean isTyped(int character) {
-    return character != '$' && Character.isJavaIdentifierPart(character);
+  private static boolean isTyped(String name) {
+    for (int i = 0; i < name.length(); i++) {
+      char character = name.charAt(i);
+      if (character == '$' || !Character.isJavaIdentifierPart(character)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private void addSlots(UrbiObject owner) {

@@ -64,10 +64,12 @@ public final class Places {
 
   /** The object at the end of a way; null if it leads nowhere. */
   @Nullable UrbiObject object(String way) {
-    String[] steps = way.split("\n", -1);
-    UrbiObject at = root(steps[0]);
-    for (int i = 1; i < steps.length && at != null; i++) {
-      at = next(at, steps[i]);
+    int end = way.indexOf('\n');
+    UrbiObject at = root(end < 0 ? way : way.substring(0, end));
+    while (end >= 0 && at != null) {
+      int begin = end + 1;
+      end = way.indexOf('\n', begin);
+      at = next(at, way.substring(begin, end < 0 ? way.length() : end));
     }
     return at;
   }
@@ -116,7 +118,11 @@ public final class Places {
 
   /** The values of slots by now. */
   public Sample sample(long now, List<String> ways) {
-    return new Sample(now, ways.stream().limit(Sample.MOST).map(this::number).toList());
+    List<Double> numbers = new ArrayList<>();
+    for (int i = 0; i < ways.size() && i < Sample.MOST; i++) {
+      numbers.add(number(ways.get(i)));
+    }
+    return new Sample(now, numbers);
   }
 
   private double number(String way) {

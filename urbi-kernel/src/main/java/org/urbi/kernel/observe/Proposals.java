@@ -1,13 +1,17 @@
 package org.urbi.kernel.observe;
 
+import java.util.AbstractList;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.library.Library;
 import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.input.TypedText;
 
 /** What somebody who types may want, with what the library declares of it. */
 public final class Proposals {
@@ -28,26 +32,45 @@ public final class Proposals {
 
   private Proposals() {}
 
+  /** A name that was found, and what is known of it. */
+  private record Found(String name, @Nullable Primitive primitive, String doc) {
+    static Found of(String name, @Nullable UrbiObject value) {
+      if (value instanceof Primitive primitive) {
+        return new Found(name, primitive, "");
+      }
+      boolean declared = value != null && value.ownerLobby() == value.world().values().object;
+      return new Found(name, null, declared ? Types.DOCS.getOrDefault(name, "") : "");
+    }
+
+    Proposal proposal() {
+      return primitive == null
+          ? new Proposal(name, "", doc)
+          : new Proposal(name, primitive.signature(), primitive.doc());
+    }
+  }
+
   /**
    * The completions of a text, in alphabetical order; those beyond {@link Completion#MOST} are left
    * out. No urbiscript function is called to find them.
    *
    * @param text what has been typed: {@code if (robot.body.he}
+   * @return each is made when it is read, by whoever reads it: to put hundreds of signatures
+   *     together is not for the kernel thread
    */
-  public static List<Proposal> of(UrbiObject lobby, String text) {
-    return Completion.found(lobby, text).entrySet().stream()
-        .map(each ->
-            each.getValue()
-                .map(value -> proposal(each.getKey(), value))
-                .orElseGet(() -> new Proposal(each.getKey(), "", "")))
-        .toList();
-  }
+  public static List<Proposal> of(UrbiObject lobby, TypedText text) {
+    List<Found> all = new ArrayList<>();
+    Completion.found(lobby, text)
+        .forEach((name, value) -> all.add(Found.of(name, value.orElse(null))));
+    return new AbstractList<>() {
+      @Override
+      public Proposal get(int index) {
+        return all.get(index).proposal();
+      }
 
-  private static Proposal proposal(String name, UrbiObject value) {
-    if (value instanceof Primitive primitive) {
-      return new Proposal(name, primitive.signature(), primitive.doc());
-    }
-    boolean declared = value.ownerLobby() == value.world().values().object;
-    return new Proposal(name, "", declared ? Types.DOCS.getOrDefault(name, "") : "");
+      @Override
+      public int size() {
+        return all.size();
+      }
+    };
   }
 }

@@ -3,6 +3,7 @@ package org.urbi.kernel.observe;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobState;
 import org.urbi.kernel.job.Located;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Wait;
@@ -12,7 +13,7 @@ import org.urbi.kernel.lobby.UrbiLobby;
 final class SeenJob {
   private static final int THOUSAND = 1000;
 
-  private final long number;
+  private final Job job;
   private @Nullable Wait wait;
   private boolean frozen;
   private @Nullable Located where;
@@ -22,25 +23,41 @@ final class SeenJob {
   private long ran;
   private int share;
 
+  /**
+   * @param now the time of the machine, in nanoseconds
+   * @param ran how long its turns have lasted, in nanoseconds
+   */
   SeenJob(Job job, long now, long ran) {
-    number = job.number();
+    this.job = job;
     time = now;
     this.ran = ran;
   }
 
-  long number() {
-    return number;
+  Job job() {
+    return job;
+  }
+
+  boolean isOver() {
+    return job.state() == JobState.ENDED;
+  }
+
+  /** Whether it had a share of the kernel's time when it was last looked at. */
+  boolean isActive() {
+    return share > 0;
   }
 
   /**
    * Looks at the job again.
    *
-   * @param now the time of the machine, in nanoseconds
+   * @param since the time of the machine when all jobs were looked at last: it may have been left
+   *     out then, because it had not changed
+   * @param now that time at present, in nanoseconds
    * @param runs how long its turns have lasted, in nanoseconds
    * @return whether something has changed, or this is the first look
    */
-  boolean update(Job job, SeenTags known, long now, long runs) {
-    int took = now > time ? (int) ((runs - ran) * THOUSAND / (now - time)) : share;
+  boolean update(SeenTags known, long since, long now, long runs) {
+    long before = Math.max(time, since);
+    int took = now > before ? (int) ((runs - ran) * THOUSAND / (now - before)) : share;
     boolean same =
         wait == job.waitsFor()
             && frozen == job.isFrozen()
@@ -63,9 +80,9 @@ final class SeenJob {
     return true;
   }
 
-  JobRow row(Job job) {
+  JobRow row() {
     return new JobRow(
-        number,
+        job.number(),
         job.name(),
         job.starter(),
         job.lobby() instanceof UrbiLobby lobby ? lobby.name() : "",

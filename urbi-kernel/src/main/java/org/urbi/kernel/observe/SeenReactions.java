@@ -1,10 +1,11 @@
 package org.urbi.kernel.observe;
 
-import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.WeakHashMap;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.Reaction;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -28,6 +29,60 @@ final class SeenReactions {
   private final SentRows<Long, EventRow> events = new SentRows<>();
   private long last;
   private boolean told;
+  private @Nullable Scan scan;
+
+  /** A look at all of them, which has begun. */
+  private final class Scan {
+    private final String wanted;
+    private final List<Reaction> all;
+    private final EventSearch search;
+    private @Nullable Iterator<Map.Entry<UrbiEvent, String>> found;
+    private int next;
+    private int total;
+    private int eventTotal;
+
+    Scan(String text, Allowance allowance) {
+      wanted = text.toLowerCase(Locale.ROOT);
+      all = known.reactions();
+      allowance.use(all.size());
+      search = known.search(all);
+    }
+
+    /** Goes on, as far as it is allowed; returns whether it is over. */
+    boolean goOn(Allowance allowance) {
+      for (; next < all.size() && allowance.isLeft(); next++) {
+        look(all.get(next), allowance);
+      }
+      if (next < all.size() || !search.goOn(allowance)) {
+        return false;
+      }
+      Iterator<Map.Entry<UrbiEvent, String>> left =
+          found == null ? search.found().entrySet().iterator() : found;
+      found = left;
+      while (left.hasNext() && allowance.isLeft()) {
+        look(left.next(), allowance);
+      }
+      return !left.hasNext();
+    }
+
+    private void look(Reaction reaction, Allowance allowance) {
+      allowance.use(1);
+      if ((wanted.isEmpty() || contains(wanted, text(reaction))) && ++total <= MOST) {
+        allowance.use(Allowance.ROW);
+        ReactionRow row = row(reaction);
+        rows.is(row.number(), row);
+      }
+    }
+
+    private void look(Map.Entry<UrbiEvent, String> each, Allowance allowance) {
+      allowance.use(1);
+      if (contains(wanted, each.getValue()) && ++eventTotal <= MOST) {
+        allowance.use(Allowance.ROW);
+        UrbiEvent event = each.getKey();
+        events.is(event.number(), row(event, each.getValue()));
+      }
+    }
+  }
 
   SeenReactions(KnownEvents known, SeenTags tags) {
     this.known = known;
@@ -35,38 +90,29 @@ final class SeenReactions {
   }
 
   /**
-   * Looks at them again.
+   * Looks at them again, as far as it is allowed, or goes on with that.
    *
-   * @param text only what contains it is wanted, in whatever case
+   * @param text only what contains it is wanted, in whatever case; asked when a look begins
+   * @return what has changed; null if not all have been looked at yet
    */
-  ReactionView look(String text) {
-    String wanted = text.toLowerCase(Locale.ROOT);
-    List<Reaction> all = known.reactions();
-    List<Reaction> matching = new ArrayList<>();
-    for (Reaction each : all) {
-      if (contains(wanted, wanted.isEmpty() ? "" : text(each))) {
-        matching.add(each);
-      }
+  @Nullable ReactionView look(String text, Allowance allowance) {
+    if (!allowance.isLeft()) {
+      return null;
     }
-    for (Reaction each : matching.subList(0, Math.min(MOST, matching.size()))) {
-      ReactionRow row = row(each);
-      rows.is(row.number(), row);
+    Scan going = scan == null ? new Scan(text, allowance) : scan;
+    scan = going;
+    if (!going.goOn(allowance)) {
+      return null;
     }
-    int eventTotal = 0;
-    for (Map.Entry<UrbiEvent, String> each : known.events(all).entrySet()) {
-      if (contains(wanted, each.getValue()) && ++eventTotal <= MOST) {
-        UrbiEvent event = each.getKey();
-        events.is(event.number(), row(event, each.getValue()));
-      }
-    }
+    scan = null;
     boolean anew = !told;
     told = true;
     return new ReactionView(
         anew,
-        matching.size(),
+        going.total,
         rows.changes(),
         rows.gone(),
-        eventTotal,
+        going.eventTotal,
         events.changes(),
         events.gone());
   }

@@ -30,21 +30,36 @@ final class SeenVariables {
     private @Nullable ObjectView before;
   }
 
-  private final Places places;
-  private Map<String, Seen> seen = new HashMap<>();
+  /** A look at objects, which has begun. */
+  private final class Scan {
+    private final List<String> ways;
+    private final Map<String, Seen> now = new HashMap<>();
+    private final List<ObjectView> changed = new ArrayList<>();
+    private int next;
+    private @Nullable Slots slots;
 
-  SeenVariables(Places places) {
-    this.places = places;
-  }
+    Scan(List<String> ways) {
+      this.ways = ways;
+    }
 
-  /** Looks at objects again, and forgets all others. */
-  VariableView look(List<String> ways) {
-    Map<String, Seen> now = new HashMap<>();
-    List<ObjectView> changed = new ArrayList<>();
-    for (String way : ways) {
-      Seen known = seen.getOrDefault(way, new Seen());
-      now.put(way, known);
-      ObjectView view = look(way, known);
+    /** Goes on, as far as it is allowed; returns whether it is over. */
+    boolean goOn(Allowance allowance) {
+      while (next < ways.size() && allowance.isLeft()) {
+        allowance.use(1);
+        String way = ways.get(next);
+        Seen known = now.computeIfAbsent(way, any -> seen.getOrDefault(way, new Seen()));
+        Slots going = slots == null ? Slots.of(way, places.object(way), known) : slots;
+        slots = going;
+        if (going.goOn(allowance)) {
+          add(way, known, going.view());
+          slots = null;
+          next++;
+        }
+      }
+      return next == ways.size();
+    }
+
+    private void add(String way, Seen known, ObjectView view) {
       ObjectView frame =
           new ObjectView(
               way,
@@ -60,36 +75,97 @@ final class SeenVariables {
         changed.add(view);
       }
     }
-    seen = now;
-    return new VariableView(places.roots(), changed);
   }
 
-  private ObjectView look(String way, Seen known) {
-    UrbiObject object = places.object(way);
-    boolean anew = known.before == null;
-    if (object == null) {
-      return new ObjectView(way, anew, false, "", 0, List.of(), List.of(), known.slots.gone());
+  /** A look at the slots of an object, which has begun. */
+  private static final class Slots {
+    private final String way;
+    private final @Nullable UrbiObject object;
+    private final Seen known;
+    private final Symbol[] names;
+    private int next;
+    private int total;
+
+    private Slots(String way, @Nullable UrbiObject object, Seen known, Symbol[] names) {
+      this.way = way;
+      this.object = object;
+      this.known = known;
+      this.names = names;
     }
-    boolean root = way.indexOf('\n') < 0;
-    int total = 0;
-    for (Symbol name : object.localSlotNames()) {
-      UrbiObject value = object.existingSlot(name);
+
+    static Slots of(String way, @Nullable UrbiObject object, Seen known) {
+      return new Slots(
+          way, object, known, object == null ? new Symbol[0] : object.localSlotNames());
+    }
+
+    /** Goes on, as far as it is allowed; returns whether it is over. */
+    boolean goOn(Allowance allowance) {
+      UrbiObject holder = object;
+      for (; holder != null && next < names.length && allowance.isLeft(); next++) {
+        allowance.use(1);
+        look(holder, names[next], allowance);
+      }
+      return next == names.length;
+    }
+
+    private void look(UrbiObject holder, Symbol name, Allowance allowance) {
+      // It may have been removed since the look began.
+      UrbiObject value = holder.localSlot(name);
+      boolean root = way.indexOf('\n') < 0;
       // What the system has put into Global is not what people look for there.
-      if (!(value instanceof Code) && !(root && isSystems(value)) && ++total <= MOST_SLOTS) {
-        SlotRow row = row(new Places.Slot(object, name));
+      if (value != null
+          && !(value instanceof Code)
+          && !(root && isSystems(value))
+          && ++total <= MOST_SLOTS) {
+        allowance.use(Allowance.ROW);
+        SlotRow row = row(new Places.Slot(holder, name));
         known.slots.is(row.name(), row);
       }
     }
-    List<String> protos = Arrays.stream(object.protos()).map(ValueText::type).toList();
-    return new ObjectView(
-        way,
-        anew,
-        true,
-        ValueText.type(object),
-        total,
-        protos,
-        known.slots.changes(),
-        known.slots.gone());
+
+    ObjectView view() {
+      boolean anew = known.before == null;
+      UrbiObject holder = object;
+      if (holder == null) {
+        return new ObjectView(way, anew, false, "", 0, List.of(), List.of(), known.slots.gone());
+      }
+      List<String> protos = Arrays.stream(holder.protos()).map(ValueText::type).toList();
+      return new ObjectView(
+          way,
+          anew,
+          true,
+          ValueText.type(holder),
+          total,
+          protos,
+          known.slots.changes(),
+          known.slots.gone());
+    }
+  }
+
+  private final Places places;
+  private Map<String, Seen> seen = new HashMap<>();
+  private @Nullable Scan scan;
+
+  SeenVariables(Places places) {
+    this.places = places;
+  }
+
+  /**
+   * Looks at objects again, as far as it is allowed, or goes on with that; all others are
+   * forgotten.
+   *
+   * @param ways to the objects; asked when a look begins
+   * @return what has changed; null if not all have been looked at yet
+   */
+  @Nullable VariableView look(List<String> ways, Allowance allowance) {
+    Scan going = scan == null ? new Scan(ways) : scan;
+    scan = going;
+    if (!going.goOn(allowance)) {
+      return null;
+    }
+    scan = null;
+    seen = going.now;
+    return new VariableView(places.roots(), going.changed);
   }
 
   private static boolean isSystems(UrbiObject value) {

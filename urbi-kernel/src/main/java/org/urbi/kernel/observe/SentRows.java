@@ -3,6 +3,7 @@ package org.urbi.kernel.observe;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -36,8 +37,16 @@ final class SentRows<K, R> {
 
   /** What is there no longer, since this was last asked: what was not said to be there since. */
   List<K> gone() {
-    List<K> gone = told.keySet().stream().filter(key -> !present.contains(key)).toList();
-    gone.forEach(told::remove);
+    List<K> gone = new ArrayList<>();
+    if (told.size() > present.size()) {
+      for (Iterator<K> each = told.keySet().iterator(); each.hasNext(); ) {
+        K key = each.next();
+        if (!present.contains(key)) {
+          gone.add(key);
+          each.remove();
+        }
+      }
+    }
     present.clear();
     return gone;
   }

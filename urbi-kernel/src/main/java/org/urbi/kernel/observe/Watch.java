@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.JobState;
 import org.urbi.kernel.job.Located;
 import org.urbi.kernel.job.Place;
 import org.urbi.kernel.job.Scheduler;
@@ -14,15 +13,13 @@ import org.urbi.kernel.job.TurnMeter;
 import org.urbi.lang.source.Span;
 
 /**
- * One who looks at the jobs and tags of a kernel, and is told what has changed. To look takes a
- * limited time: of very many jobs a part each time. On the kernel thread, between the turns.
+ * One who looks at the jobs and tags of a kernel, and is told what has changed. Each look takes a
+ * limited time, in which the jobs wait: several make a round over all that there is. On the kernel
+ * thread, between the turns.
  */
 public final class Watch {
-  /** How many jobs are looked at in one tick: where nothing has changed, that is soon seen. */
-  private static final int JOBS_AT_ONCE = 2500;
-
-  /** How many of them may have changed: to tell of those takes longer. */
-  private static final int ROWS_AT_ONCE = 500;
+  /** Of how many turns one look tells at most. */
+  private static final int MOST_TURNS = 1000;
 
   private static final double SECOND = 1e9;
 
@@ -30,15 +27,18 @@ public final class Watch {
   private final TurnMeter meter;
   private final WorldTime time;
   private final SeenTags tags = new SeenTags();
+  private final SeenJobs jobs;
   private final KnownEvents events;
   private final Places places;
   private @Nullable SeenReactions reactions;
   private @Nullable SeenVariables variables;
-  private List<SeenJob> seen = new ArrayList<>();
-  private List<SeenJob> seenNow = new ArrayList<>();
-  private List<Job> round = List.of();
-  private int next;
-  private int known;
+
+  // What has been seen of the round that has begun.
+  private boolean begun;
+  private boolean jobsSeen;
+  private @Nullable ReactionView reacting;
+  private @Nullable VariableView varying;
+
   private List<Job> traced = List.of();
 
   /** Since when all turns of each of them have been told: of the machine's time. */
@@ -49,13 +49,17 @@ public final class Watch {
 
   private long nextTurn;
 
+  /** The round is not over before the turns up to this one have been told. */
+  private long lastTurn;
+
   /** Begins to look; to be {@linkplain #end ended}. */
   public Watch(Scheduler scheduler, KnownEvents events, Places places) {
     this.scheduler = scheduler;
     time = new WorldTime(scheduler);
     this.events = events;
     this.places = places;
-    meter = scheduler.beginObservation();
+    meter = scheduler.observation().begin();
+    jobs = new SeenJobs(scheduler, meter, tags);
     nextTurn = meter.next();
     toldSince = meter.now();
   }
@@ -64,8 +68,7 @@ public final class Watch {
   public void end() {
     traced.forEach(meter::endTrace);
     traced = List.of();
-    round = List.of();
-    scheduler.endObservation();
+    scheduler.observation().end();
   }
 
   /** What has changed since the last look. */
@@ -73,55 +76,47 @@ public final class Watch {
     long now = meter.now();
     // Those of the jobs that were traced until now: others may be from now on.
     TurnView turning = turns(now);
-    if (next == round.size()) {
-      begin(wanted);
+    if (!begun) {
+      begin(wanted, now);
       turning = withTraced(turning);
     }
+    Allowance allowance = new Allowance();
     List<JobRow> changed = new ArrayList<>();
     List<Long> gone = new ArrayList<>();
-    int end = Math.min(next + JOBS_AT_ONCE, round.size());
-    for (; next < end && changed.size() < ROWS_AT_ONCE; next++) {
-      Job job = round.get(next);
-      if (job.state() != JobState.ENDED) {
-        SeenJob one = find(job, gone, now);
-        if (one.update(job, tags, now, meter.ran(job))) {
-          changed.add(one.row(job));
-        }
-        seenNow.add(one);
-      }
-    }
-    boolean complete = next == round.size();
-    if (complete) {
-      for (; known < seen.size(); known++) {
-        gone.add(seen.get(known).number());
-      }
-      seen = seenNow;
-    }
-    ReactionView reacting = complete ? reactions(wanted.reactions()) : null;
-    VariableView varying = complete ? variables(wanted.objects()) : null;
-    return new View(
-        now,
-        scheduler.now(),
-        time.now(),
-        round.size(),
-        changed,
-        gone,
-        tags.changes(complete),
-        complete ? tags.gone() : List.of(),
-        turning,
-        complete ? detail(wanted.selected()) : null,
-        reacting,
-        varying,
-        complete);
+    jobsSeen = jobsSeen || jobs.look(now, allowance, changed, gone);
+    boolean complete =
+        jobsSeen
+            && hasReactions(wanted.reactions(), allowance)
+            && hasVariables(wanted.objects(), allowance)
+            && nextTurn >= lastTurn;
+    View view =
+        new View(
+            now,
+            scheduler.now(),
+            time.now(),
+            scheduler.jobCount(),
+            changed,
+            gone,
+            tags.changes(complete),
+            complete ? tags.gone() : List.of(),
+            turning,
+            complete ? detail(wanted.selected()) : null,
+            complete ? reacting : null,
+            complete ? varying : null,
+            complete);
+    begun = !complete;
+    return view;
   }
 
-  private void begin(ViewRequest wanted) {
-    round = scheduler.jobs();
-    next = 0;
-    known = 0;
-    seenNow = new ArrayList<>(round.size());
+  private void begin(ViewRequest wanted, long now) {
+    begun = true;
+    jobsSeen = false;
+    reacting = null;
+    varying = null;
+    lastTurn = meter.next();
+    jobs.begin(now);
     List<Job> before = traced;
-    traced = wanted.traced().stream().map(this::job).filter(job -> job != null).toList();
+    traced = wanted.traced().stream().map(jobs::job).filter(job -> job != null).toList();
     // In this order, so that those that go on being traced are so without a break.
     traced.forEach(meter::beginTrace);
     before.forEach(meter::endTrace);
@@ -139,76 +134,62 @@ public final class Watch {
     return same ? turning : new TurnView(turning.turns(), turning.lostUntil(), since);
   }
 
-  /** What is known of a job. Both lists are in the order of the numbers. */
-  private SeenJob find(Job job, List<Long> gone, long now) {
-    while (known < seen.size() && seen.get(known).number() < job.number()) {
-      gone.add(seen.get(known++).number());
-    }
-    boolean is = known < seen.size() && seen.get(known).number() == job.number();
-    return is ? seen.get(known++) : new SeenJob(job, now, meter.ran(job));
-  }
-
-  /** The job of that number in this round; null if there is none. */
-  private @Nullable Job job(long number) {
-    int low = 0;
-    int high = round.size() - 1;
-    while (low <= high) {
-      int middle = (low + high) >>> 1;
-      Job found = round.get(middle);
-      if (found.number() == number) {
-        return found;
-      } else if (found.number() < number) {
-        low = middle + 1;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return null;
-  }
-
   /**
-   * @param text null if nobody wants to see reactions: then all that was told is forgotten
+   * Looks at the reactions and events.
+   *
+   * @param text null if nobody wants to see them: then all that was told is forgotten
+   * @return whether that is done in this round
    */
-  private @Nullable ReactionView reactions(@Nullable String text) {
+  private boolean hasReactions(@Nullable String text, Allowance allowance) {
     if (text == null) {
       reactions = null;
-      return null;
+      reacting = null;
+      return true;
     }
-    if (reactions == null) {
-      reactions = new SeenReactions(events, tags);
+    if (reacting == null) {
+      SeenReactions known = reactions == null ? new SeenReactions(events, tags) : reactions;
+      reactions = known;
+      reacting = known.look(text, allowance);
     }
-    return reactions.look(text);
+    return reacting != null;
   }
 
   /**
-   * @param ways null if nobody wants to see variables: then all that was told is forgotten
+   * Looks at the slots of objects.
+   *
+   * @param ways null if nobody wants to see them: then all that was told is forgotten
+   * @return whether that is done in this round
    */
-  private @Nullable VariableView variables(@Nullable List<String> ways) {
+  private boolean hasVariables(@Nullable List<String> ways, Allowance allowance) {
     if (ways == null) {
       variables = null;
-      return null;
+      varying = null;
+      return true;
     }
-    if (variables == null) {
-      variables = new SeenVariables(places);
+    if (varying == null) {
+      SeenVariables known = variables == null ? new SeenVariables(places) : variables;
+      variables = known;
+      varying = known.look(ways, allowance);
     }
-    return variables.look(ways);
+    return varying != null;
   }
 
   private TurnView turns(long now) {
     long from = nextTurn;
-    nextTurn = meter.next();
     if (traced.isEmpty()) {
+      nextTurn = meter.next();
       toldSince = now;
       return new TurnView(List.of(), 0, null);
     }
     long lostUntil = meter.lostUntil(from);
     toldSince = Math.max(toldSince, lostUntil);
-    return new TurnView(meter.turns(from, tracedSince.keySet()), lostUntil, null);
+    nextTurn = Math.min(meter.next(), Math.max(from, meter.oldest()) + MOST_TURNS);
+    return new TurnView(meter.turns(from, nextTurn, tracedSince.keySet()), lostUntil, null);
   }
 
   private @Nullable JobDetail detail(long number) {
-    Job job = job(number);
-    if (job == null || job.state() == JobState.ENDED) {
+    Job job = jobs.job(number);
+    if (job == null) {
       return null;
     }
     List<JobDetail.Call> calls = new ArrayList<>();

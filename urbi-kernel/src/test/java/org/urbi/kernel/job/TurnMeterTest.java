@@ -12,7 +12,7 @@ import org.urbi.kernel.time.VirtualClock;
 class TurnMeterTest {
   private final Loop loop = new Loop();
   private final VirtualClock clock = new VirtualClock();
-  private final TurnMeter meter = new TurnMeter(clock);
+  private final TurnMeter meter = new TurnMeter(clock, 1);
 
   private void turn(Job job) {
     meter.turnOf(job);
@@ -55,11 +55,11 @@ class TurnMeterTest {
       turn(one);
       turn(other);
     }
-    List<Turn> turns = meter.turns(0, Set.of(one.number()));
+    List<Turn> turns = meter.turns(0, meter.next(), Set.of(one.number()));
     assertEquals(1 << 13, turns.size());
     assertEquals(19_998, turns.getLast().begin());
     assertEquals(19_996, turns.get(turns.size() - 2).begin());
-    assertEquals(List.of(), meter.turns(meter.next(), Set.of(one.number())));
+    assertEquals(List.of(), meter.turns(meter.next(), meter.next(), Set.of(one.number())));
     assertEquals(turns.getFirst().begin(), meter.lostUntil(0), "what was before is lost");
     assertEquals(0, meter.lostUntil(meter.next() - (1 << 13)), "nothing after that");
   }
@@ -82,15 +82,32 @@ class TurnMeterTest {
     }
     meter.turnOf(null);
     assertEquals(0, meter.lostUntil(0));
-    List<Turn> turns = meter.turns(0, Set.of(one.number(), other.number(), third.number()));
+    List<Turn> turns =
+        meter.turns(0, meter.next(), Set.of(one.number(), other.number(), third.number()));
     assertEquals(100, turns.stream().filter(turn -> turn.job() == third.number()).count());
     Turn latest = turns.stream().filter(turn -> turn.job() == one.number()).toList().getLast();
     assertEquals(clock.now() - 1, latest.end(), "it goes on until the last turn of the other one");
     turn(one);
     meter.turnOf(null);
-    assertEquals(1, meter.turns(meter.next() - 1, Set.of(one.number())).size());
+    assertEquals(1, meter.turns(meter.next() - 1, meter.next(), Set.of(one.number())).size());
     assertEquals(
-        clock.now() - 1, meter.turns(meter.next() - 1, Set.of(one.number())).getFirst().begin());
+        clock.now() - 1,
+        meter.turns(meter.next() - 1, meter.next(), Set.of(one.number())).getFirst().begin());
+  }
+
+  /** Thousands at once would keep the kernel. */
+  @Test
+  void turnsAreHadInParts() {
+    Job one = loop.idle(null);
+    Job other = loop.idle(null);
+    meter.beginTrace(one);
+    for (int i = 0; i < 10; i++) {
+      turn(one);
+      turn(other);
+    }
+    Set<Long> wanted = Set.of(one.number());
+    assertEquals(4, meter.turns(0, 4, wanted).size());
+    assertEquals(6, meter.turns(4, meter.next(), wanted).size());
   }
 
   /** Others may have traced a job before, and from time to time: that is nothing to build on. */
@@ -103,7 +120,7 @@ class TurnMeterTest {
     turn(one);
     turn(other);
     meter.turnOf(null);
-    List<Turn> turns = meter.turns(0, Set.of(other.number()));
+    List<Turn> turns = meter.turns(0, meter.next(), Set.of(other.number()));
     assertEquals(List.of(other.number()), turns.stream().map(Turn::job).toList());
   }
 
@@ -124,6 +141,6 @@ class TurnMeterTest {
     }
     assertEquals(clock.now(), meter.firstTurnsSince(born));
     meter.turnOf(null);
-    assertEquals(64, meter.turns(0, Set.of()).size());
+    assertEquals(64, meter.turns(0, meter.next(), Set.of()).size());
   }
 }
