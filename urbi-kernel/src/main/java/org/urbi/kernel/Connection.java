@@ -3,6 +3,8 @@ package org.urbi.kernel;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.CallEnd;
 import org.urbi.kernel.observe.CodeEnd;
@@ -119,6 +121,15 @@ public interface Connection {
 
   /** Nobody looks any longer. */
   void lookNoMore();
+
+  /**
+   * Has all told that has changed since the last look when the kernel ends, or the process with it:
+   * then nobody could ask.
+   *
+   * @param wanted asked then
+   * @param told is given each view, on the kernel thread, before its clients are told of the end
+   */
+  void lookAtEnd(Supplier<ViewRequest> wanted, Consumer<View> told);
 
   /**
    * Controls a job or a tag, as far as the role of the lobby allows.

@@ -3,6 +3,8 @@ package org.urbi.kernel;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
@@ -69,6 +71,11 @@ abstract class ConnectionParts implements Connection {
   @Override
   public void lookNoMore() {
     view.lookNoMore();
+  }
+
+  @Override
+  public void lookAtEnd(Supplier<ViewRequest> wanted, Consumer<View> told) {
+    view.lookAtEnd(wanted, told);
   }
 
   @Override
@@ -177,6 +184,11 @@ abstract class ConnectionParts implements Connection {
   /** Another connection has been opened, with a lobby. */
   void lobbyOpened() {
     feed.lobbyOpened();
+  }
+
+  /** The kernel is about to end. */
+  void lookLast() {
+    view.lookLast();
   }
 
   /** Nobody looks any more. */

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -34,10 +35,14 @@ final class ConnectionView {
     }
   }
 
+  /** One who wants to be told what has changed when the kernel ends. */
+  private record LastLook(Supplier<ViewRequest> wanted, Consumer<View> told) {}
+
   private final Kernel kernel;
   private final int number;
   private final Questions<Question<?>> looks;
   private final Questions<CompletableFuture<String>> interventions;
+  private volatile @Nullable LastLook lastLook;
   private @Nullable Watch watch;
 
   /**
@@ -80,6 +85,10 @@ final class ConnectionView {
     kernel.inbox().post(new Message.LookEnded(number));
   }
 
+  void lookAtEnd(Supplier<ViewRequest> wanted, Consumer<View> told) {
+    lastLook = new LastLook(wanted, told);
+  }
+
   CompletableFuture<String> steer(Steering.Action action, boolean tag, long target) {
     return intervene(question -> new Message.Steered(number, question, action.text(), tag, target));
   }
@@ -115,6 +124,15 @@ final class ConnectionView {
       watch = present;
     }
     return present;
+  }
+
+  /** The kernel is about to end: the jobs are as they will have been. */
+  void lookLast() {
+    LastLook last = lastLook;
+    if (last != null) {
+      lastLook = null;
+      watch().lookAtAll(last.wanted().get(), last.told());
+    }
   }
 
   void take(Message.Steered message, UrbiLobby by) {

@@ -163,6 +163,17 @@ final class Connections {
     }
   }
 
+  /** The kernel is about to end, perhaps with the process: tells those who have asked for it. */
+  void lookLast() {
+    for (KernelConnection connection : all()) {
+      try {
+        connection.lookLast();
+      } catch (RuntimeException | Error e) {
+        FailureLog.internal("the last look at the jobs", e);
+      }
+    }
+  }
+
   /** Closes all connections when the kernel ends. */
   void finish() {
     all().forEach(KernelConnection::finish);

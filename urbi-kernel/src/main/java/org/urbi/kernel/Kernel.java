@@ -110,7 +110,12 @@ public final class Kernel implements AutoCloseable {
     inbox.setFailures(connections::failed);
     this.outside = new Outside(scheduler, builder.confinement, builder.users);
     this.life =
-        new KernelLifecycle(scheduler, connections::finish, builder.onHalt, builder.onReboot);
+        new KernelLifecycle(
+            scheduler,
+            connections::lookLast,
+            connections::finish,
+            builder.onHalt,
+            builder.onReboot);
     var core =
         new CorePrototypes(
             world.values(),

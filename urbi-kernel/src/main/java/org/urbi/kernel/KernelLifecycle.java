@@ -21,6 +21,7 @@ final class KernelLifecycle implements ShutdownControl {
   private static final int BROKEN = 70;
 
   private final Scheduler scheduler;
+  private final Runnable lastLook;
   private final Runnable farewell;
   private final @Nullable IntConsumer onHalt;
   private final @Nullable Runnable onReboot;
@@ -30,6 +31,8 @@ final class KernelLifecycle implements ShutdownControl {
   private boolean stopping;
 
   /**
+   * @param lastLook called on the kernel thread when the kernel is about to end, before that, or
+   *     the process is about to be halted
    * @param farewell called on the kernel thread when the kernel is about to end
    * @param onHalt ends the process at once; null if only the kernel is to end
    * @param onReboot called before the kernel ends in order to be restarted; null if nobody would
@@ -37,10 +40,12 @@ final class KernelLifecycle implements ShutdownControl {
    */
   KernelLifecycle(
       Scheduler scheduler,
+      Runnable lastLook,
       Runnable farewell,
       @Nullable IntConsumer onHalt,
       @Nullable Runnable onReboot) {
     this.scheduler = scheduler;
+    this.lastLook = lastLook;
     this.farewell = farewell;
     this.onHalt = onHalt;
     this.onReboot = onReboot;
@@ -62,6 +67,7 @@ final class KernelLifecycle implements ShutdownControl {
     if (!stopping) {
       stopping = true;
       status = exitStatus;
+      lastLook.run();
       farewell.run();
       scheduler.stop();
     }
@@ -73,6 +79,7 @@ final class KernelLifecycle implements ShutdownControl {
     if (onHalt == null) {
       requestShutdown(exitStatus);
     } else {
+      lastLook.run();
       onHalt.accept(exitStatus);
     }
   }

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -21,6 +22,7 @@ import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.observe.JobRow;
 import org.urbi.kernel.observe.Steering.Action;
 import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.View;
 import org.urbi.kernel.observe.ViewRequest;
 import org.urbi.kernel.trust.Role;
 
@@ -330,6 +332,50 @@ class JobViewTest {
       // What it was told before.
     }
     assertThrows(CancellationException.class, gone::look);
+  }
+
+  /** Nobody could ask for it, as the kernel has ended then. */
+  @Test
+  void whatHasChangedUntilTheEndIsTold() throws Exception {
+    Kernel ending = Kernel.builder().log(line -> {}).start();
+    TestClient coder = new TestClient(ending, Role.OWNER);
+    coder.say("many: for& (2000) sleep(1h), stays: sleep(1h), goes: sleep(1h),");
+    Viewer viewer = new Viewer(ending, Role.OWNER);
+    long stays = viewer.under("stays").number();
+    long goes = viewer.under("goes").number();
+    long many = viewer.tag("many").number();
+    ViewRequest wanted = looking(stays);
+    viewer.look(wanted);
+    List<View> told = new ArrayList<>();
+    viewer.client.connection().lookAtEnd(() -> wanted, told::add);
+    coder.say("stays.freeze; goes.stop; many.freeze;");
+    ending.close();
+    assertTrue(told.size() > 1 && told.getLast().complete(), "each has a limited number");
+    List<JobRow> rows = told.stream().flatMap(each -> each.jobs().stream()).toList();
+    assertTrue(rows.stream().anyMatch(row -> row.number() == stays && row.frozen()));
+    assertTrue(
+        rows.stream().filter(row -> row.tags().contains(many) && row.frozen()).count() >= 2000);
+    assertTrue(told.stream().anyMatch(each -> each.gone().contains(goes)));
+  }
+
+  /** It is told before the process is halted, in the turn of the job that does that. */
+  @Test
+  void whoHaltsTheProcessIsTold() {
+    List<View> told = new ArrayList<>();
+    CompletableFuture<Integer> toldBefore = new CompletableFuture<>();
+    Kernel halting =
+        Kernel.builder().log(line -> {}).onHalt(status -> toldBefore.complete(told.size())).start();
+    TestClient coder = new TestClient(halting, Role.OWNER);
+    Viewer viewer = new Viewer(halting, Role.OWNER);
+    viewer.look();
+    viewer.client.connection().lookAtEnd(() -> looking(), told::add);
+    coder.connection().send("halts: System._exit(3),\n");
+    assertTrue(toldBefore.join() > 0);
+    assertTrue(
+        told.stream()
+            .flatMap(each -> each.tags().stream())
+            .anyMatch(t -> t.name().equals("halts")));
+    halting.close();
   }
 
   @Test

@@ -54,6 +54,11 @@ public final class Observation {
     }
   }
 
+  /** The turn of the running job is told as if it was over: it may have no end. */
+  public void cutTurn() {
+    turnOf(null);
+  }
+
   /** A job was frozen or unfrozen. */
   void changed(Job job) {
     if (meter != null) {

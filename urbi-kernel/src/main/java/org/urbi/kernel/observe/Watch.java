@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Located;
@@ -106,6 +107,20 @@ public final class Watch {
             complete);
     begun = !complete;
     return view;
+  }
+
+  /**
+   * Tells all that has changed until now, also in the turn of the job that runs, in as many looks
+   * as it takes: nobody is to run any more.
+   */
+  public void lookAtAll(ViewRequest wanted, Consumer<View> told) {
+    scheduler.observation().cutTurn();
+    while (begun) {
+      told.accept(look(wanted));
+    }
+    do {
+      told.accept(look(wanted));
+    } while (begun);
   }
 
   private void begin(ViewRequest wanted, long now) {

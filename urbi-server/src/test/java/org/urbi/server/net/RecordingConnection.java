@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.CallEnd;
@@ -98,6 +100,11 @@ final class RecordingConnection implements Connection {
 
   @Override
   public void lookNoMore() {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public void lookAtEnd(Supplier<ViewRequest> wanted, Consumer<View> told) {
     throw new UnsupportedOperationException();
   }
 

@@ -3,6 +3,7 @@ package org.urbi.server.studio.mcap;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -41,6 +42,7 @@ final class JobsObserver {
   private final Sink sink;
   private final JobTable table = new JobTable();
   private @Nullable CompletableFuture<View> answer;
+  private volatile ViewRequest wanted = new ViewRequest(0, List.of(), null, null);
   private long due;
 
   /**
@@ -101,7 +103,13 @@ final class JobsObserver {
   }
 
   private void look() {
-    answer = connection.look(new ViewRequest(0, table.oldest(ViewRequest.MOST_TRACED), null, null));
+    wanted = new ViewRequest(0, table.oldest(ViewRequest.MOST_TRACED), null, null);
+    answer = connection.look(wanted);
+  }
+
+  /** What was asked for last; from any thread. */
+  ViewRequest wanted() {
+    return wanted;
   }
 
   /** Takes the answer to the last look, if there is one; null if not. */
@@ -111,7 +119,19 @@ final class JobsObserver {
     if (asked == null || !asked.isDone() || asked.isCancelled()) {
       return null;
     }
+    answer = null;
     View view = asked.get();
+    take(view);
+    return view;
+  }
+
+  /** Takes what the kernel tells at its end, behind the answer to the last look. */
+  void takeLast(View view) throws IOException, ExecutionException, InterruptedException {
+    answered();
+    take(view);
+  }
+
+  private void take(View view) throws IOException {
     table.take(view);
     Map<String, Object> turns = JobTable.turns(view);
     if (!turns.isEmpty()) {
@@ -120,6 +140,5 @@ final class JobsObserver {
     if (view.complete() && table.hasChanged()) {
       sink.take(Topic.JOBS, view.epochTime(), table.message());
     }
-    return view;
   }
 }

@@ -225,6 +225,15 @@ final class McapFile implements Closeable {
     }
   }
 
+  /** Frees the file as it is, if it was not {@linkplain #close closed}: nothing is written. */
+  void release() {
+    try {
+      file.close();
+    } catch (IOException e) {
+      // The disk has lost what was there: that it takes nothing was told before.
+    }
+  }
+
   private LittleEndianBuffer statistics() {
     LittleEndianBuffer content =
         new LittleEndianBuffer()

@@ -20,6 +20,7 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.observe.Bytes;
 import org.urbi.kernel.observe.VariableKind;
 import org.urbi.kernel.observe.VariableListener;
+import org.urbi.kernel.observe.View;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.trust.Role;
@@ -55,6 +56,9 @@ public final class McapRecorder implements AutoCloseable {
     record Appeared(int variable, Topic topic) implements Event {}
 
     record Value(int variable, long time, @Nullable Object value) implements Event {}
+
+    /** What has become of the jobs until the end of the kernel. */
+    record Seen(View view) implements Event {}
 
     /**
      * @param looks whether the jobs are looked at once more
@@ -128,6 +132,9 @@ public final class McapRecorder implements AutoCloseable {
     connection = connect.apply(new Observer());
     connection.feed(new Feed(), true, watched);
     jobs = new JobsObserver(connection, this::write, withJobs ? clock.now() : JobsObserver.NEVER);
+    if (withJobs) {
+      connection.lookAtEnd(jobs::wanted, this::seen);
+    }
     try {
       begin.accept(writer);
     } catch (OutOfMemoryError e) {
@@ -196,6 +203,12 @@ public final class McapRecorder implements AutoCloseable {
     }
   }
 
+  private void seen(View view) {
+    if (!failed) {
+      events.add(new Event.Seen(view));
+    }
+  }
+
   private static long size(@Nullable Object value) {
     return SMALL
         + switch (value) {
@@ -244,6 +257,8 @@ public final class McapRecorder implements AutoCloseable {
     } catch (RuntimeException | Error e) {
       FailureLog.internal("recording to " + path, e);
       fail(FailureLog.text(e));
+    } finally {
+      file.release();
     }
   }
 
@@ -265,7 +280,7 @@ public final class McapRecorder implements AutoCloseable {
     return events.poll(due - clock.now(), TimeUnit.NANOSECONDS);
   }
 
-  private void take(Event event) throws IOException {
+  private void take(Event event) throws IOException, ExecutionException, InterruptedException {
     switch (event) {
       case Event.Appeared one -> topics.put(one.variable(), one.topic());
       case Event.Value value -> {
@@ -275,6 +290,7 @@ public final class McapRecorder implements AutoCloseable {
           write(value, topic);
         }
       }
+      case Event.Seen last -> jobs.takeLast(last.view());
       case Event.End end -> {}
     }
   }
@@ -316,8 +332,8 @@ public final class McapRecorder implements AutoCloseable {
   }
 
   /**
-   * Writes what is left, and the summary; may wait for the disk. The kernel may have ended: what
-   * jobs have done since the last look is not in the file.
+   * Writes what is left, and the summary; may wait for the disk. If the kernel has ended, it has
+   * told before what jobs have done since the last look; if not, that is not in the file.
    */
   @Override
   public void close() {

@@ -22,6 +22,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -56,6 +57,7 @@ class McapRecorderTest {
   private final CountDownLatch broken = new CountDownLatch(1);
   private final LinkedBlockingQueue<Look> looks = new LinkedBlockingQueue<>();
   private @Nullable VariableListener listener;
+  private @Nullable Consumer<View> end;
   private boolean isClosed;
 
   /** A connection that gives what the recorder listens with. */
@@ -68,6 +70,9 @@ class McapRecorderTest {
               if (method.getName().equals("feed")) {
                 listener = (VariableListener) arguments[0];
               }
+              if (method.getName().equals("lookAtEnd")) {
+                end = views(arguments[1]);
+              }
               isClosed |= method.getName().equals("close");
               if (method.getName().equals("look")) {
                 Look look = new Look((ViewRequest) arguments[0], new CompletableFuture<>());
@@ -76,6 +81,11 @@ class McapRecorderTest {
               }
               return null;
             });
+  }
+
+  @SuppressWarnings("unchecked") // a proxy is given arguments whatever their types
+  private static Consumer<View> views(Object argument) {
+    return (Consumer<View>) argument;
   }
 
   private McapRecorder recorder(Path path) throws Exception {
@@ -113,6 +123,23 @@ class McapRecorderTest {
           }
         });
     endsAndTells(recorder, "internal error");
+    assertFalse(isOpen(folder.resolve("run.mcap")), "it is of no use any more");
+  }
+
+  /** Whether this process has a file open. */
+  private static boolean isOpen(Path file) throws IOException {
+    try (Stream<Path> descriptors = Files.list(Path.of("/proc/self/fd"))) {
+      return descriptors.anyMatch(each -> leadsTo(each, file));
+    }
+  }
+
+  private static boolean leadsTo(Path descriptor, Path file) {
+    try {
+      return Files.readSymbolicLink(descriptor).equals(file);
+    } catch (IOException e) {
+      // It was that of the list of descriptors.
+      return false;
+    }
   }
 
   /** Nobody would take what the kernel tells, so it must not go on telling. */
@@ -197,6 +224,27 @@ class McapRecorderTest {
     recorder.close();
     assertTrue(written(path).contains("\"name\":\"late\""));
     assertTrue(log.isEmpty(), log::toString);
+  }
+
+  /**
+   * The kernel tells at its end what nobody has asked for; what it was asked for before that, and
+   * has answered, comes first.
+   */
+  @Test
+  void whatTheKernelTellsAtItsEndIsWritten() throws Exception {
+    Path path = folder.resolve("run.mcap");
+    McapRecorder recorder = recorder(path);
+    TurnView none = new TurnView(List.of(), 0, null);
+    looks.take().answer.complete(view(List.of(job(3, "early")), List.of(), List.of(), none, true));
+    end.accept(view(List.of(job(4, "late")), List.of(), List.of(), none, false));
+    Turn turn = new Turn(4, List.of(), 1_500_000_000L, 1_750_000_000L, Wait.EVENT, true);
+    TurnView turns = new TurnView(List.of(turn), 0, null);
+    end.accept(view(List.of(), List.of(3L), List.of(), turns, true));
+    recorder.closeOrAbandon();
+    String bytes = written(path);
+    assertTrue(bytes.contains("\"total\":1.0,\"jobs\":[{\"number\":4.0"), bytes);
+    assertTrue(bytes.indexOf("\"name\":\"early\"") < bytes.indexOf("\"name\":\"late\""), bytes);
+    assertTrue(bytes.contains("\"end\":1.75"), bytes);
   }
 
   private static Thread stopping(McapRecorder recorder) {
