@@ -59,6 +59,8 @@ export class Controls {
     this.#picked = index;
     const body = this.#setting?.bodies[index];
     this.#byId("space").dataset.picked = body?.name ?? "";
+    // Where it is changes all the time, and is not read aloud.
+    this.#byId("picked-name").textContent = body ? `${body.name} is picked` : "";
     this.#byId("push").disabled = Boolean(this.#refusal) || !body || body.fixed;
     this.#sayPicked();
   }

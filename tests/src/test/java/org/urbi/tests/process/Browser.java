@@ -235,6 +235,11 @@ final class Browser {
         "/goog/cdp/execute", "{\"cmd\":\"" + name + "\",\"params\":{" + parameters + "}}");
   }
 
+  /** What Chromium tells screen readers of the page, as the JSON of its protocol. */
+  String accessibilityTree() throws IOException {
+    return command("Accessibility.getFullAXTree", "");
+  }
+
   private String demand(String command, String json) throws IOException {
     String answer = post(command, json);
     if (answer.contains("\"error\"")) {

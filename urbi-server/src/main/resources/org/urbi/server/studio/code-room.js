@@ -1,5 +1,5 @@
 // The room of the code: an editor, what runs of it, and a console beside it.
-import { Items, make, set } from "./elements.js";
+import { Items, make, set, withdraw } from "./elements.js";
 import { Editor, LONGEST } from "./editor.js";
 import { Files } from "./files.js";
 import { LineHistory } from "./line-history.js";
@@ -210,7 +210,7 @@ export class Room {
     const [, state, stop] = item.children;
     const ended = run.state === "ended";
     set(state, ended ? run.error : `${run.state}, under ${run.tag ?? "…"}`);
-    stop.hidden = ended;
+    withdraw(stop, "hidden", ended);
     stop.disabled = run.number === undefined;
     stop.setAttribute("aria-label", `Stop ${run.title}`);
   }

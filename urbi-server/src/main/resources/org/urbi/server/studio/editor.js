@@ -80,6 +80,8 @@ export class Editor {
         ],
       }),
     });
+    // What scrolls says nothing of itself, and needs no keys: those of the text within scroll it.
+    this.view.scrollDOM.removeAttribute("tabindex");
   }
 
   typed(changed) {

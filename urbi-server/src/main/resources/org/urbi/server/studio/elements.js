@@ -26,7 +26,16 @@ function focusIn(host) {
 // Who has nothing but keys goes on from what is in the place of what is gone, or else from the part of the page in which it was.
 function returnFocus(host, act = "") {
   const [same] = [...host.querySelectorAll("[data-act]")].filter((each) => each.dataset.act === act && !each.disabled);
-  (same ?? host.closest("[tabindex]"))?.focus();
+  const part = host.closest("[tabindex], section, form") ?? document.querySelector("main");
+  if (!part.hasAttribute("tabindex")) part.tabIndex = -1;
+  (same ?? part).focus();
+}
+
+// Takes away what somebody may be using (how: "hidden" or "disabled"), or gives it back.
+export function withdraw(element, how, away) {
+  const focused = away && !element[how] && element.contains(document.activeElement);
+  element[how] = away;
+  if (focused) returnFocus(element.parentElement);
 }
 
 export function set(element, text) {

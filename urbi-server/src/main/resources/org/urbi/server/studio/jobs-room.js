@@ -21,7 +21,7 @@ const PAGE = `
       <label><span>lanes</span>
         <select id="span" aria-label="How much time the lanes show">
           <option value="60000">1 min</option><option value="10000">10 s</option>
-          <option value="1000">1 s</option><option value="100">0.1 s</option><option id="span-other" hidden></option>
+          <option value="1000">1 s</option><option value="100">0.1 s</option><option id="span-other" hidden>other</option>
         </select>
       </label>
       <button id="pause" type="button" aria-pressed="false">Pause</button>
@@ -31,17 +31,19 @@ const PAGE = `
       <div id="rows"><canvas id="lanes" aria-hidden="true"></canvas></div>
       <p id="empty" hidden>No such job.</p>
     </div>
+    <p id="jobs-found" class="spoken" role="status"></p>
     <p class="legend" id="legend"></p>
     <p id="turn" class="hint" role="status"></p>
   </section>
   <aside>
     <section class="card" id="detail" tabindex="-1" aria-labelledby="detail-title">
       <h2 id="detail-title">Job</h2>
+      <p id="job-state" class="spoken" role="status"></p>
       <div id="job"></div>
     </section>
     <section class="card" id="tags" tabindex="-1" aria-labelledby="tags-title">
       <h2 id="tags-title">Tags</h2>
-      <ul id="taglist"></ul>
+      <ul id="taglist" aria-labelledby="tags-title"></ul>
     </section>
   </aside>`;
 
@@ -171,6 +173,7 @@ export class Room {
     this.find("filter").value = text;
     this.list.words = text.toLowerCase().split(/\s+/).filter((word) => word);
     this.find("list").scrollTop = 0;
+    this.counting = true;
     this.rearrange();
   }
 
@@ -211,8 +214,19 @@ export class Room {
     this.tellTime();
     this.side.showJob(this.selected, this.detail);
     this.side.showTags(this.list.words);
+    this.tellChanges();
     this.find("empty").hidden = this.list.lines.length > 0 || !this.jobs.machine;
     // bench/studio asks when there was something to see, in milliseconds after somebody has gone to the page.
     if (this.list.lines.length) this.find("list").dataset.since ??= Math.round(performance.now());
+  }
+
+  // For those who do not see it. How many jobs the filter shows is told once: they come and go.
+  tellChanges() {
+    const job = this.jobs.rows.get(this.selected);
+    set(this.find("job-state"), this.selected && (!job || job.ended) ? "The selected job has ended." : "");
+    if (!this.counting) return;
+    this.counting = false;
+    const count = this.list.lines.filter((line) => line.job).length;
+    set(this.find("jobs-found"), this.list.words.length ? `${count.toLocaleString("en")} ${count === 1 ? "job" : "jobs"} shown` : "");
   }
 }

@@ -1,6 +1,6 @@
 // Plots numbers while they change.
 import uPlot from "./libraries/uPlot.esm.js";
-import { make, rem } from "./elements.js";
+import { make, put, rem } from "./elements.js";
 import { shownWay } from "./objects.js";
 import { zoomByTouch } from "./plot-touch.js";
 
@@ -150,7 +150,7 @@ export class Plot {
     area.hidden = !used;
     this.find("plot-hint").hidden = used;
     this.find("plot-csv").disabled = this.find("plot-pause").disabled = !used;
-    this.find("plotted").replaceChildren(...this.ways.map((way, i) => this.chip(way, i)));
+    put(this.find("plotted"), this.ways, () => this.ways.map((way, i) => this.chip(way, i)));
     if (!used) return;
     this.letters = rem(1);
     this.colours.clear();

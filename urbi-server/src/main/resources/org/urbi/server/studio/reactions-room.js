@@ -1,5 +1,5 @@
 // The room of the reactions and events: what waits for what, how often it has happened, when last; events are emitted here.
-import { Items, ago, make, set } from "./elements.js";
+import { Items, ago, make, set, withdraw } from "./elements.js";
 
 const ASK_AFTER = 150;
 
@@ -13,8 +13,9 @@ const PAGE = `
       </label>
       <span id="reaction-total" class="hint" role="status"></span>
     </div>
-    <div class="scroll">
-      <table id="reaction-table">
+    <p id="reactions-found" class="spoken" role="status"></p>
+    <div class="scroll" role="group" tabindex="0" aria-label="Reactions, as a table">
+      <table id="reaction-table" aria-labelledby="reactions-title">
         <thead><tr><th scope="col">code</th><th scope="col">has read</th><th scope="col" class="number">times</th><th scope="col" class="number">last</th></tr></thead>
         <tbody></tbody>
       </table>
@@ -38,6 +39,7 @@ const PAGE = `
     </form>
   </aside>`;
 
+const found = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
 const cut = (shown, all) => (shown < all ? `${shown.toLocaleString("en")} of ${all.toLocaleString("en")}: the filter finds the others` : "");
 
 export class Room {
@@ -138,8 +140,8 @@ export class Room {
     this.find("no-events").hidden = events.length > 0 || Boolean(this.text);
     const chosen = this.events.get(this.chosen);
     this.find("emission-event").textContent = chosen ? chosen.name : "Choose an event.";
-    this.find("emit").disabled = !chosen || !this.studio.mayChange;
-    this.find("payload").disabled = !chosen || !this.studio.mayChange;
+    for (const name of ["emit", "payload"]) withdraw(this.find(name), "disabled", !chosen || !this.studio.mayChange);
+    set(this.find("reactions-found"), this.text && `${found(this.total.reactions, "reaction")}, ${found(this.total.events, "event")} found`);
   }
 
   newRow() {

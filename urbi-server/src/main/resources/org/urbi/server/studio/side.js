@@ -55,7 +55,7 @@ export class Side {
           ? this.button("Unfreeze", "unfreeze", "job", number, `Unfreeze ${job.name}`)
           : this.button("Freeze", "freeze", "job", number, `Freeze ${job.name}`),
       );
-      return [buttons, make("dl", "", { className: "facts" }), make("ol", "", { className: "calls" })];
+      return [buttons, make("dl", "", { className: "facts" }), make("ol", "", { className: "calls", ariaLabel: "Calls, innermost first" })];
     });
     const [, list, calls] = this.detail.children;
     put(list, facts, () => facts.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));

@@ -1,5 +1,5 @@
 // The selected slot: what it holds, who writes and reads it; it is changed, plotted, seen and heard here.
-import { ago, make, set } from "./elements.js";
+import { ago, make, set, withdraw } from "./elements.js";
 import { shownWay } from "./objects.js";
 import { showMedia } from "./media.js";
 
@@ -45,7 +45,7 @@ export class Slot {
     this.way = way;
     this.slot = slot;
     this.find("slot-hint").hidden = Boolean(slot);
-    this.find("slot-facts").hidden = !slot;
+    withdraw(this.find("slot-facts"), "hidden", !slot);
     set(this.find("slot-title"), way ? shownWay(way) : "Slot");
     if (other) {
       this.dirty = false;
@@ -63,7 +63,8 @@ export class Slot {
     const typed = slot.number !== null || TYPED.includes(slot.type);
     const may = this.studio.mayChange && !slot.constant && typed;
     const field = this.find("slot-value");
-    field.disabled = this.find("slot-set").disabled = !may;
+    withdraw(field, "disabled", !may);
+    withdraw(this.find("slot-set"), "disabled", !may);
     set(this.find("slot-label"), typed ? "value, in urbiscript" : `${slot.type}: cannot be typed here, code can change it`);
     // What is only a part of the value would be all of it if it were set.
     const whole = typed && !slot.value.includes("…");
@@ -72,7 +73,7 @@ export class Slot {
     const typing = this.dirty || document.activeElement === field;
     if (other || !typing) field.value = whole ? exact : "";
     const range = this.find("slot-range");
-    range.hidden = slot.number === null || slot.least === null || slot.most === null;
+    withdraw(range, "hidden", slot.number === null || slot.least === null || slot.most === null);
     if (!range.hidden) {
       const slider = this.find("slot-slider");
       slider.disabled = !may;

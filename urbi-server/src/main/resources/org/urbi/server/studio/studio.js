@@ -1,5 +1,5 @@
 // Puts the parts of the studio together: the connection, what is known of the jobs, the rooms.
-import { set } from "./elements.js";
+import { set, withdraw } from "./elements.js";
 import { StudioStream } from "./stream.js";
 import { Jobs } from "./jobs.js";
 import { Navigation } from "./navigation.js";
@@ -97,7 +97,7 @@ function welcome({ role, keywords, instance, longest: most }) {
   byId("role").textContent = role;
   byId("limit").hidden = !studio.limit;
   byId("limit").textContent = studio.limit;
-  byId("entry").hidden = true;
+  withdraw(byId("entry"), "hidden", true);
   navigation.welcome(anew);
 }
 

@@ -19,6 +19,7 @@ const PAGE = `
       </div>
       <ul id="recordings" aria-label="Finished recordings" hidden></ul>
       <div class="columns" aria-hidden="true"><span>slot</span><span>value</span><span>per s</span><span>last written</span></div>
+      <p id="variables-found" class="spoken" role="status"></p>
       <div id="variable-tree" role="tree" tabindex="0" aria-labelledby="variables-title"></div>
     </section>
     <section class="card" id="plot" aria-labelledby="plot-title">
@@ -115,6 +116,8 @@ export class Room {
   draw() {
     this.lines = this.objects.lines(this.text);
     this.items.show(this.lines);
+    const slots = this.lines.filter((line) => line.slot).length;
+    set(this.find("variables-found"), this.text && `${slots} ${slots === 1 ? "slot" : "slots"} shown`);
     const index = this.lines.findIndex((line) => line.way === this.selected);
     if (index < 0) this.tree.removeAttribute("aria-activedescendant");
     else this.tree.setAttribute("aria-activedescendant", this.tree.children[index].id);
