@@ -79,7 +79,6 @@ final class Foreground {
         // A return or break outside of functions and loops is ignored.
       } catch (Throwable failure) {
         interpreter.scheduler().memory().recover(failure);
-        interpreter.scheduler().beginTurn();
         interrupted = isInterruptedByReport(shell, failure);
       } finally {
         shell.leave(scope);
@@ -111,12 +110,17 @@ final class Foreground {
     } catch (ControlFlowException unwinding) {
       throw unwinding;
     } catch (Throwable failure) {
-      interpreter.scheduler().beginTurn();
-      interpreter.report(shell, failure);
+      report(shell, failure);
       return false;
     } finally {
       shell.leave(scope);
     }
+  }
+
+  /** Shows what has ended a statement, or its reader, in a turn of its own: not held any more. */
+  void report(Job shell, Throwable failure) {
+    interpreter.scheduler().beginTurn();
+    interpreter.report(shell, failure);
   }
 
   private boolean isInterruption(TagStop stop) {
@@ -129,7 +133,7 @@ final class Foreground {
   /** Shows what has ended a statement; its text may be code of users, too. */
   private boolean isInterruptedByReport(Job shell, Throwable failure) {
     try {
-      interpreter.report(shell, failure);
+      report(shell, failure);
       return false;
     } catch (TagStop stop) {
       return isInterruption(stop);

@@ -437,9 +437,8 @@ public final class Shell {
 
   /** Shows what ended a statement before it began; the text may be code that is interrupted. */
   private void report(Job shell, UrbiException ended) {
-    interpreter.scheduler().beginTurn();
     try {
-      interpreter.report(shell, ended);
+      foreground.report(shell, ended);
     } catch (TagStop stop) {
       interrupted(shell, stop);
     }
