@@ -1,14 +1,12 @@
 package org.urbi.tests;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
 
 /**
  * Makes programs of functions that compute, loop, call each other, fail and let others run; the
  * same ones from the same seed. All of them end.
  */
-final class NumericProgramGenerator {
+final class NumericProgramGenerator extends FunctionGenerator {
   private static final int FUNCTIONS = 6;
 
   /** What every program begins with. */
@@ -33,11 +31,6 @@ final class NumericProgramGenerator {
   private static final List<String> LITERALS =
       List.of("0", "1", "2", "3", "0.5", "-1", "1e300", "7", "100", "inf", "nan");
 
-  private final Random random;
-  private final StringBuilder text = new StringBuilder();
-  private final List<String> variables = new ArrayList<>();
-  private int names;
-  private int nested;
   private int loops;
   private int callable;
 
@@ -45,7 +38,7 @@ final class NumericProgramGenerator {
   private boolean plain;
 
   private NumericProgramGenerator(long seed) {
-    random = new Random(seed);
+    super(seed);
   }
 
   static String program(long seed) {
@@ -61,14 +54,6 @@ final class NumericProgramGenerator {
       text.append(topLevel()).append('\n');
     }
     return text.toString();
-  }
-
-  private String one(String... choices) {
-    return choices[random.nextInt(choices.length)];
-  }
-
-  private boolean chance(int percent) {
-    return random.nextInt(100) < percent;
   }
 
   // ------------------------------------------------------------------ the top level
@@ -130,20 +115,6 @@ final class NumericProgramGenerator {
     text.append("  ").append(expression(2)).append("\n}|;\n");
   }
 
-  private void block(int statements) {
-    int before = variables.size();
-    for (int i = 0; i < statements; i++) {
-      text.append("  ").append(statement()).append(one(";", "|", "|")).append('\n');
-    }
-    while (variables.size() > before) {
-      variables.removeLast();
-    }
-  }
-
-  private String variable() {
-    return variables.get(random.nextInt(variables.size()));
-  }
-
   /** A variable that counts no turns. */
   private String target() {
     for (int tries = 0; tries < 20; tries++) {
@@ -155,28 +126,14 @@ final class NumericProgramGenerator {
     return "a";
   }
 
-  private String inside(int statements) {
-    int begin = text.length();
-    nested++;
-    block(statements);
-    nested--;
-    String inner = text.substring(begin);
-    text.setLength(begin);
-    return "{\n" + inner + "  }";
-  }
-
-  private String statement() {
+  @Override
+  String statement() {
     if (nested < 3 && chance(30)) {
       return compound();
     }
     String name = target();
     return switch (random.nextInt(plain ? 21 : 22)) {
-      case 0, 1, 2 -> {
-        String value = expression(3);
-        String fresh = "v" + names++;
-        variables.add(fresh);
-        yield "var " + fresh + " = " + value;
-      }
+      case 0, 1, 2 -> declaration(3);
       case 3, 4 -> name + " = " + expression(3);
       case 5, 6 -> name + one(" += ", " -= ", " += ", " *= ") + expression(2);
       case 7, 8 -> name + one("++", "--");
@@ -297,7 +254,8 @@ final class NumericProgramGenerator {
     };
   }
 
-  private String expression(int depth) {
+  @Override
+  String expression(int depth) {
     if (depth == 0 || chance(25)) {
       return chance(65) ? variable() : LITERALS.get(random.nextInt(LITERALS.size()));
     }

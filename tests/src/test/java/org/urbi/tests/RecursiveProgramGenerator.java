@@ -1,14 +1,12 @@
 package org.urbi.tests;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
 
 /**
  * Makes programs of functions that call themselves, and fail, catch, stop, wait and hand out code
  * in between; the same ones from the same seed. All of them end.
  */
-final class RecursiveProgramGenerator {
+final class RecursiveProgramGenerator extends FunctionGenerator {
   private static final int FUNCTIONS = 3;
 
   /** So a function calls itself 80 times at most. */
@@ -21,16 +19,11 @@ final class RecursiveProgramGenerator {
       function o.wait { sleep(1ms) | x += 1 }|; var plus = Float.getSlotValue("+")|;
       """;
 
-  private final Random random;
-  private final StringBuilder text = new StringBuilder(PRELUDE);
-  private final List<String> variables = new ArrayList<>();
   private String name = "";
-  private int names;
   private int calls;
-  private int nested;
 
   private RecursiveProgramGenerator(long seed) {
-    random = new Random(seed);
+    super(seed);
   }
 
   static String program(long seed) {
@@ -38,6 +31,7 @@ final class RecursiveProgramGenerator {
   }
 
   private String program() {
+    text.append(PRELUDE);
     for (int i = 0; i < FUNCTIONS; i++) {
       name = "r" + i;
       function();
@@ -47,14 +41,6 @@ final class RecursiveProgramGenerator {
       text.append(topLevel()).append('\n');
     }
     return text.append("log;\n").toString();
-  }
-
-  private String one(String... choices) {
-    return choices[random.nextInt(choices.length)];
-  }
-
-  private boolean chance(int percent) {
-    return random.nextInt(100) < percent;
   }
 
   private String call() {
@@ -105,30 +91,6 @@ final class RecursiveProgramGenerator {
     text.append("  ").append(expression(3)).append("\n}|;\n");
   }
 
-  private void block(int statements) {
-    int before = variables.size();
-    for (int i = 0; i < statements; i++) {
-      text.append("  ").append(statement()).append(one(";", "|", "|")).append('\n');
-    }
-    while (variables.size() > before) {
-      variables.removeLast();
-    }
-  }
-
-  private String inside(int statements) {
-    int begin = text.length();
-    nested++;
-    block(statements);
-    nested--;
-    String inner = text.substring(begin);
-    text.setLength(begin);
-    return "{\n" + inner + "  }";
-  }
-
-  private String variable() {
-    return variables.get(random.nextInt(variables.size()));
-  }
-
   /**
    * A level is as deep as the calls that are left, so that what is rare happens at some of them.
    */
@@ -148,14 +110,10 @@ final class RecursiveProgramGenerator {
             "[1, 2].each(closure (y) { if (y == 2) return a; log << y })");
   }
 
-  private String statement() {
+  @Override
+  String statement() {
     return switch (random.nextInt(nested < 2 ? 14 : 9)) {
-      case 0, 1 -> {
-        String value = expression(2);
-        String fresh = "v" + names++;
-        variables.add(fresh);
-        yield "var " + fresh + " = " + value;
-      }
+      case 0, 1 -> declaration(2);
       case 2 -> "a = " + expression(3);
       case 3 -> "a += " + expression(2);
       case 4 -> "o.x = " + expression(2);
@@ -181,7 +139,8 @@ final class RecursiveProgramGenerator {
     return expression(1) + one(" < ", " == ", " != ", " >= ") + expression(1);
   }
 
-  private String expression(int depth) {
+  @Override
+  String expression(int depth) {
     if (depth == 0 || chance(25)) {
       return chance(60) ? variable() : one("0", "1", "2", "0.5", "nan", "\"s\"", "nil", "o.x");
     }
