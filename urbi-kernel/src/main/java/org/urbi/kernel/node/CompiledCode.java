@@ -435,22 +435,9 @@ public abstract class CompiledCode extends OwnCallAccess {
   protected static boolean setEntry(
       UrbiObject target, UrbiObject key, UrbiObject value, Frame frame) {
     return target instanceof UrbiDictionary dictionary
-        && isPlain(dictionary, frame)
+        && dictionary.shape() == frame.interpreter.values().dictionaryProto.cloneShape()
+        && frame.job.isOwner()
         && dictionary.putPlain(key, value);
-  }
-
-  private static boolean isPlain(UrbiDictionary dictionary, Frame frame) {
-    return dictionary.shape() == frame.interpreter.values().dictionaryProto.cloneShape()
-        && frame.job.isOwner();
-  }
-
-  /** Does so if there is such a key, and nobody to be told. */
-  protected static boolean replaceEntry(
-      UrbiObject target, UrbiObject key, UrbiObject value, Frame frame) {
-    return target instanceof UrbiDictionary dictionary
-        && isPlain(dictionary, frame)
-        && DictionaryKey.isPlain(key)
-        && dictionary.replacePlain(key, value);
   }
 
   private static int place(double index, int size) {

@@ -266,33 +266,21 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
 
   // ------------------------------------------------------------------ changes
 
-  /** Gives the entry of a string another value; false if there is none. */
-  boolean replace(UrbiString key, UrbiObject value) {
-    return replace(place(key.value()), value);
-  }
-
-  /** Gives the entry of a number another value; false if there is none. */
-  boolean replace(UrbiFloat key, UrbiObject value) {
-    return replace(place(key.value()), value);
-  }
-
-  private boolean replace(int place, UrbiObject value) {
-    if (place < 0) {
-      return false;
-    }
-    values[place] = value;
-    return true;
-  }
-
   void put(UrbiString key, UrbiObject value) {
-    if (!replace(key, value)) {
+    int place = place(key.value());
+    if (place < 0) {
       append(new TextKey(key.value(), key), value);
+    } else {
+      values[place] = value;
     }
   }
 
   void put(UrbiFloat key, UrbiObject value) {
-    if (!replace(key, value)) {
+    int place = place(key.value());
+    if (place < 0) {
       append(new NumberKey(key.value(), key), value);
+    } else {
+      values[place] = value;
     }
   }
 

@@ -114,20 +114,6 @@ public final class UrbiDictionary extends UrbiObject {
     return key instanceof UrbiFloat number ? entries.get(number) : null;
   }
 
-  /**
-   * Replaces the value of a key that calls no code, where nobody is told; false if there is none,
-   * or it is another.
-   */
-  public boolean replacePlain(UrbiObject key, UrbiObject value) {
-    if (isContentWatched()) {
-      return false;
-    }
-    if (key instanceof UrbiString text) {
-      return entries.replace(text, value);
-    }
-    return key instanceof UrbiFloat number && entries.replace(number, value);
-  }
-
   /** Sets the value of a key that calls no code; false if it is another. */
   public boolean putPlain(UrbiObject key, UrbiObject value) {
     if (key instanceof UrbiString text) {

@@ -43,7 +43,6 @@ abstract class CodeWriter {
           "not",
           "number",
           "object",
-          "replaceEntry",
           "self",
           "setElement",
           "size");

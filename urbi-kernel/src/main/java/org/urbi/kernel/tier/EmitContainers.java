@@ -47,13 +47,12 @@ final class EmitContainers {
       case SET_ENTRY -> {
         to.load(arguments.getLast());
         to.code.astore(result.object());
-        // A new key may need room, which is made at a place where this may end.
-        Label over = to.code.newLabel();
-        setEntry("replaceEntry", target, arguments.getFirst(), result);
-        to.code.ifne(over);
-        setEntry("setEntry", target, arguments.getFirst(), result);
+        to.code.aload(target);
+        to.load(arguments.getFirst());
+        to.code.aload(result.object());
+        to.frame();
+        to.help("setEntry", CD_boolean, Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME);
         to.code.ifeq(otherwise);
-        to.code.labelBinding(over);
       }
       case APPEND -> {
         to.code.aload(target);
@@ -88,14 +87,6 @@ final class EmitContainers {
         to.code.aconst_null().astore(result.object());
       }
     }
-  }
-
-  private void setEntry(String how, int target, Value key, Value value) {
-    to.code.aload(target);
-    to.load(key);
-    to.code.aload(value.object());
-    to.frame();
-    to.help(how, CD_boolean, Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME);
   }
 
   /** {@code [a, b]}. */
