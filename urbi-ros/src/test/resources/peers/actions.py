@@ -13,27 +13,13 @@ import rclpy
 from action_msgs.msg import GoalStatus, GoalStatusArray
 from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import MultiThreadedExecutor
+from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from talk import say
 from test_msgs.action import Fibonacci
 
 rclpy.init()
 node = rclpy.create_node("peer")
-executor = MultiThreadedExecutor(4)
-executor.add_node(node)
-
-
-# rclpy looks at an action client of another thread even before that is complete, and fails then.
-def spin():
-    while rclpy.ok():
-        try:
-            executor.spin()
-        except AttributeError:
-            continue
-
-
-threading.Thread(target=spin, daemon=True).start()
 kept = []
 
 
@@ -65,39 +51,49 @@ def serve(name, mode):
 
     kept.append(ActionServer(node, Fibonacci, name, execute, goal_callback=accept, cancel_callback=cancel,
                              callback_group=ReentrantCallbackGroup()))
+    executor = MultiThreadedExecutor(4)
+    executor.add_node(node)
+    threading.Thread(target=executor.spin, daemon=True).start()
     say("serving")
 
 
+# Goals are sent in one thread: rclpy keeps what an answer belongs to only after it has sent the goal, and drops an
+# answer that another thread takes meanwhile.
+client_executor = SingleThreadedExecutor()
+
+
+def until(happened):
+    while not happened():
+        client_executor.spin_once()
+
+
 def wait(future):
-    while not future.done():
-        time.sleep(0.005)
+    until(future.done)
     return future.result()
 
 
 def sent(name, order, feedback=None):
-    client = ActionClient(node, Fibonacci, name, callback_group=ReentrantCallbackGroup())
+    client = ActionClient(node, Fibonacci, name)
     kept.append(client)
     client.wait_for_server()
-    handle = wait(client.send_goal_async(Fibonacci.Goal(order=int(order)), feedback_callback=feedback))
-    return client, handle
+    return wait(client.send_goal_async(Fibonacci.Goal(order=int(order)), feedback_callback=feedback))
 
 
 def goal(name, order, count=0):
     feedbacks = []
-    _, handle = sent(name, order, lambda m: feedbacks.append(list(m.feedback.sequence)))
+    handle = sent(name, order, lambda m: feedbacks.append(list(m.feedback.sequence)))
     if not handle.accepted:
         say("refused")
         return
     answer = wait(handle.get_result_async())
-    while len(feedbacks) < int(count):
-        time.sleep(0.005)
+    until(lambda: len(feedbacks) >= int(count))
     say(answer.status, list(answer.result.sequence), *feedbacks[-1:])
 
 
 def cancel(name, order):
-    first = threading.Event()
-    _, handle = sent(name, order, lambda m: first.set())
-    first.wait()
+    feedbacks = []
+    handle = sent(name, order, feedbacks.append)
+    until(lambda: feedbacks)
     response = wait(handle.cancel_goal_async())
     answer = wait(handle.get_result_async())
     say(response.return_code, len(response.goals_canceling), answer.status, list(answer.result.sequence))
@@ -113,9 +109,8 @@ def late(name, order):
 
     qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     kept.append(node.create_subscription(GoalStatusArray, name + "/_action/status", status, qos))
-    _, handle = sent(name, order)
-    while bytes(handle.goal_id.uuid) not in ended:
-        time.sleep(0.005)
+    handle = sent(name, order)
+    until(lambda: bytes(handle.goal_id.uuid) in ended)
     answer = wait(handle.get_result_async())
     say(answer.status, list(answer.result.sequence))
 
@@ -128,5 +123,7 @@ def vanish(name, order):
 
 for line in sys.stdin:
     words = line.split()
+    if words[0] != "serve" and node.executor is None:
+        client_executor.add_node(node)
     globals()[words[0]](*words[1:])
 os._exit(0)

@@ -36,16 +36,20 @@ public abstract class SentGoal implements ActionClient.Goal {
   }
 
   /**
-   * The server tells its status. What comes by another way may be older; how it ends is told with
-   * the result.
+   * The server tells its status. What comes by another way may be older, or later than what follows
+   * it: no goal does anything before it is accepted. How it ends is told with the result.
    *
    * @return whether that is new
    */
   public final boolean told(GoalStatus now) {
+    GoalStatus before;
     synchronized (this) {
-      if (now.isEnd() || now.compareTo(last) <= 0) return false;
+      before = last;
+      if (now.isEnd() || now.compareTo(before) <= 0) return false;
       last = now;
     }
+    if (before == GoalStatus.UNKNOWN && now != GoalStatus.ACCEPTED)
+      listener.status(GoalStatus.ACCEPTED);
     listener.status(now);
     return true;
   }
