@@ -36,6 +36,12 @@ public final class TerminalSession implements AutoCloseable {
   /** What the system has made of a {@code Ctrl-D} that was typed before there was an editor. */
   private static final String END_TYPED_AHEAD = "\0";
 
+  /**
+   * How long the next line of what is pasted may take, in milliseconds, on a busy machine: no one
+   * types that fast, nor sees that an error is told so late.
+   */
+  private static final long PASTE_PATIENCE = 100;
+
   /** What JLine shows in colours of its own. */
   private static final List<String> STYLES =
       List.of(
@@ -109,7 +115,7 @@ public final class TerminalSession implements AutoCloseable {
   /** Whether more was pasted, or typed, than the line that is being read. */
   private boolean goesOn() {
     try {
-      return terminal.reader().peek(1) >= 0;
+      return terminal.reader().peek(PASTE_PATIENCE) >= 0;
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
