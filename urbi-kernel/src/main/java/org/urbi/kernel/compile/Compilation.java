@@ -12,6 +12,7 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Variables;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Declaring;
+import org.urbi.lang.grammar.Checkpoint;
 import org.urbi.lang.source.Span;
 
 /**
@@ -25,6 +26,7 @@ import org.urbi.lang.source.Span;
 public final class Compilation {
   private final Interpreter interpreter;
   private final Imports imports;
+  private final Checkpoint checkpoint;
   private final Set<Declaring> sharedKeys = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean learned;
   private int regions;
@@ -37,9 +39,10 @@ public final class Compilation {
   final Definitions definitions;
   final Assignments assignments;
 
-  private Compilation(Interpreter interpreter, Imports imports) {
+  private Compilation(Interpreter interpreter, Imports imports, Checkpoint checkpoint) {
     this.interpreter = interpreter;
     this.imports = imports;
+    this.checkpoint = checkpoint;
     this.statements = new Statements(this);
     this.expressions = new Expressions(this);
     this.claims = new Assertions(this);
@@ -64,7 +67,18 @@ public final class Compilation {
    * @param imports the imports of earlier statements; this one may add to them
    */
   public static Compiled compile(Interpreter interpreter, Ast statement, Imports imports) {
-    var compilation = new Compilation(interpreter, imports);
+    return compile(interpreter, statement, imports, interpreter::checkInterrupted);
+  }
+
+  /**
+   * Compiles a statement of the top level.
+   *
+   * @param imports the imports of earlier statements; this one may add to them
+   * @param checkpoint called again and again, to end the work by an exception
+   */
+  public static Compiled compile(
+      Interpreter interpreter, Ast statement, Imports imports, Runnable checkpoint) {
+    var compilation = new Compilation(interpreter, imports, new Checkpoint(checkpoint));
     while (true) {
       compilation.learned = false;
       compilation.regions = 0;
@@ -84,7 +98,7 @@ public final class Compilation {
    *     {@code return} and {@code break} need not be thrown as exceptions
    */
   Node compile(Ast ast, LexicalScope block, HandledJumps seen) {
-    interpreter.checkInterrupted();
+    checkpoint.pass();
     return ast.accept(new TranslationVisitor(this, block, seen));
   }
 

@@ -25,7 +25,7 @@ public final class TagStop extends ControlFlowException {
   }
 
   /** Ends the running statement of a job that was interrupted. */
-  static TagStop interruption() {
+  public static TagStop interruption() {
     return new TagStop(null, null, true);
   }
 

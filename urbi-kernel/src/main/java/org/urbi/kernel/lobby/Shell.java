@@ -83,9 +83,21 @@ public final class Shell {
     return requireNonNull(job, "it has been started");
   }
 
-  /** Reading a long statement can be interrupted, too. */
   private StatementReader newReader() {
-    return new StatementReader(null, this::longestStatement, () -> job().checkInterrupted());
+    return new StatementReader(null, this::longestStatement, this::letOthersRun);
+  }
+
+  /**
+   * Called again and again while a statement is read and compiled, which may be a megabyte. Whoever
+   * interrupts it has dropped it with the rest of the input.
+   */
+  private void letOthersRun() {
+    StatementReader now = reader;
+    job().checkInterrupted();
+    job().yield();
+    if (reader != now) {
+      throw TagStop.interruption();
+    }
   }
 
   private int longestStatement() {
@@ -385,7 +397,7 @@ public final class Shell {
   private void execute(Job shell, Item.Statement statement) {
     Compilation.Compiled compiled;
     try {
-      compiled = Compilation.compile(interpreter, statement.tree(), imports);
+      compiled = Compilation.compile(interpreter, statement.tree(), imports, this::letOthersRun);
     } catch (TagStop stop) {
       interrupted(shell, stop);
       return;
