@@ -12,6 +12,7 @@ import urbi.UDataType;
 import urbi.UObject;
 import urbi.UValue;
 import urbi.UVar;
+import urbi.thread.GuardedThreads;
 
 /** A server for programs and web pages that talk to ROS by rosbridge: {@code Ros.Bridge}. */
 public final class RosBridge extends UObject implements AutoCloseable {
@@ -55,20 +56,33 @@ public final class RosBridge extends UObject implements AutoCloseable {
     want();
     String address = host.stringValue();
     String secret = token.stringValue();
-    return Ros.of(this).thenApply(node -> open(node, address, port, pages, secret));
+    // It may take long to look up the host: no kernel waits for that, nor who closes the bridge.
+    return Ros.of(this)
+        .thenApplyAsync(
+            node -> open(node, address, port, pages, secret),
+            task -> GuardedThreads.SDK.virtual("urbi-ros-bridge-open", task).start());
   }
 
-  private synchronized int open(
-      Node node, String address, int port, Set<String> pages, String secret) {
+  private int open(Node node, String address, int port, Set<String> pages, String secret) {
+    idle();
+    BridgeServer opened =
+        BridgeServer.open(
+            node, address, port, pages, secret, text -> getUContext().report("ROS: " + text));
+    try {
+      begin(opened);
+    } catch (RosException e) {
+      opened.close();
+      throw e;
+    }
+    return opened.port();
+  }
+
+  private synchronized void begin(BridgeServer opened) {
     idle();
     if (!wanted) {
       throw new RosException("this bridge was closed before it could listen");
     }
-    BridgeServer opened =
-        BridgeServer.open(
-            node, address, port, pages, secret, text -> getUContext().report("ROS: " + text));
     server = opened;
-    return opened.port();
   }
 
   private synchronized void want() {
