@@ -61,7 +61,7 @@ class StudioCodeTest {
     browser.await("the selected line", LOG, text -> text.contains("] 1001"));
     run(browser, "3000 + 3;");
     String log = browser.await("the next text", LOG, text -> text.contains("] 3003"));
-    assertTrue(!log.contains("2002"), log);
+    assertTrue(!log.contains("] 2002"), log);
   }
 
   private static void showsErrors(Browser browser) throws Exception {
@@ -90,7 +90,7 @@ class StudioCodeTest {
     browser.evaluate(stop);
     browser.await("that it does not", RUNS, text -> !text.contains("goes on"));
     urbi.send("var before = x|; sleep(100ms); x - before + 7000;\n");
-    urbi.awaitText("7000");
+    urbi.awaitText("] 7000");
   }
 
   private static void hasConsole(Browser browser) throws Exception {
