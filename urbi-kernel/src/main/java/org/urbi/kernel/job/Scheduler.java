@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
@@ -236,6 +237,11 @@ public final class Scheduler {
     List<Job> all = new ArrayList<>(jobs.size());
     jobs.addTo(all);
     return all;
+  }
+
+  /** Whether a job that has not ended is one of those. */
+  public boolean hasJob(Predicate<Job> condition) {
+    return jobs.hasAny(condition);
   }
 
   /** How many jobs have not ended. */

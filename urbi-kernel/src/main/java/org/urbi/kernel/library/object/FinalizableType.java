@@ -10,6 +10,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.time.SystemClock;
 
 /** Objects that do something when they are reclaimed (manual, "Finalizable"). */
 @UrbiType(
@@ -27,7 +28,8 @@ final class FinalizableType {
     Scheduler scheduler = outside.scheduler();
     return UrbiFinalizable.prototype(
         world.values().object.cloneShape(),
-        new Finalization(scheduler.journal(), new RunningJob(scheduler), System::gc));
+        new Finalization(
+            scheduler.journal(), new RunningJob(scheduler), System::gc, new SystemClock()));
   }
 
   /** What no job has made belongs to the system. */
@@ -42,6 +44,14 @@ final class FinalizableType {
     public @Nullable UrbiObject lobby() {
       Job job = scheduler.running();
       return job == null ? null : job.lobby();
+    }
+
+    /** In simulated time nobody waits in vain. */
+    @Override
+    public boolean isAlone() {
+      UrbiObject lobby = lobby();
+      return !scheduler.clock().isReal()
+          || !scheduler.hasJob(job -> job.lobby() != lobby && !job.isDaemon());
     }
   }
 

@@ -13,12 +13,14 @@ import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.library.object.UrbiFinalizable.Reclaimable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.time.Clock;
 
 /**
  * Finds, after each statement of the top level, the finalizable objects that are no longer
  * referenced, and calls their {@code finalize}. Kernels without such objects pay nothing. Where
  * code with the role owner has made some, the garbage collector runs after each statement with that
- * role, so that runs can be repeated; others may not stop everybody for that, so theirs are
+ * role, so that runs can be repeated; while another lobby has jobs, only as often as it {@linkplain
+ * CollectionPace may} stop these. Code of others may not stop everybody for that, so theirs are
  * finalized when it has run for whatever reason. Which objects it has found is recorded: in a
  * replay these are finalized, whatever its own collector does.
  */
@@ -30,6 +32,9 @@ public final class Finalization {
 
     /** Its lobby; null if no code is running. */
     @Nullable UrbiObject lobby();
+
+    /** Whether nobody else is kept waiting by what it does. */
+    boolean isAlone();
   }
 
   /** How often to look for an object that the virtual machine has yet to hand over. */
@@ -38,6 +43,7 @@ public final class Finalization {
   private final Journal journal;
   private final Running running;
   private final Runnable collector;
+  private final CollectionPace pace;
   private final ConcurrentLinkedQueue<Reclaimable> reclaimed = new ConcurrentLinkedQueue<>();
 
   /** The objects that code of owners has made, and that have not been found, by their numbers. */
@@ -52,11 +58,13 @@ public final class Finalization {
   /**
    * @param running whose code makes an object, or has made a statement
    * @param collector runs the garbage collector
+   * @param machine the time that it takes
    */
-  Finalization(Journal journal, Running running, Runnable collector) {
+  Finalization(Journal journal, Running running, Runnable collector, Clock machine) {
     this.journal = journal;
     this.running = running;
     this.collector = collector;
+    pace = new CollectionPace(machine);
   }
 
   /** Whose code is running. */
@@ -116,8 +124,12 @@ public final class Finalization {
 
   /** The numbers of the objects that are no longer referenced, as far as is known. */
   List<Long> found() {
-    if (!ofOwners.isEmpty() && running.isOwner()) {
+    if (ofOwners.isEmpty() || !running.isOwner()) {
+      take();
+    } else if (running.isAlone()) {
       collect();
+    } else if (pace.allows()) {
+      pace.measure(this::collect);
     } else {
       take();
     }

@@ -9,12 +9,14 @@ import org.junit.jupiter.api.Test;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.time.VirtualClock;
 
 /** A collection of all garbage stops everybody: only what an owner has made is worth it. */
 class FinalizationTest {
   /** Code that is running, of nobody in particular. */
   static final class RunningCode implements Finalization.Running {
     private boolean owner;
+    private boolean alone = true;
 
     @Override
     public boolean isOwner() {
@@ -25,10 +27,19 @@ class FinalizationTest {
     public @Nullable UrbiObject lobby() {
       return null;
     }
+
+    @Override
+    public boolean isAlone() {
+      return alone;
+    }
   }
+
+  /** What a collection takes, in nanoseconds. */
+  private static final long COLLECTION = 30_000_000;
 
   private final RunningCode running = new RunningCode();
   private int collections;
+  private final VirtualClock machine = new VirtualClock();
   private final World world = new World();
   private final Finalization finalization =
       new Finalization(
@@ -36,8 +47,10 @@ class FinalizationTest {
           running,
           () -> {
             collections++;
+            machine.advanceTo(machine.now() + COLLECTION);
             System.gc();
-          });
+          },
+          machine);
   private final UrbiObject prototype =
       UrbiFinalizable.prototype(world.values().object.cloneShape(), finalization);
 
@@ -82,6 +95,39 @@ class FinalizationTest {
     } while (finalization.found().size() < 2);
     assertEquals(List.of(1L, 2L), finalization.found());
     assertEquals(0, collections);
+  }
+
+  /** Four times 30 ms in a row, and then once in 30 s. */
+  @Test
+  void othersAreHardlyKeptWaiting() {
+    running.owner = true;
+    running.alone = false;
+    UrbiObject made = prototype.cloned();
+    for (int i = 0; i < 10; i++) {
+      finalization.found();
+    }
+    assertEquals(4, collections);
+    for (int second = 0; second < 300; second++) {
+      machine.advanceTo(machine.now() + 1_000_000_000);
+      finalization.found();
+    }
+    assertEquals(13, collections, 1);
+    Reference.reachabilityFence(made);
+  }
+
+  /** What it has done alone need not be made up for when others come. */
+  @Test
+  void nobodyIsKeptWaitingByWhoIsAlone() {
+    running.owner = true;
+    UrbiObject made = prototype.cloned();
+    for (int i = 0; i < 100; i++) {
+      finalization.found();
+    }
+    assertEquals(100, collections);
+    running.alone = false;
+    finalization.found();
+    assertEquals(101, collections);
+    Reference.reachabilityFence(made);
   }
 
   private void drop(int count) {

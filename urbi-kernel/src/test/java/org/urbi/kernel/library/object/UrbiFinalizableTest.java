@@ -7,6 +7,7 @@ import java.lang.ref.ReferenceQueue;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.time.SystemClock;
 
 class UrbiFinalizableTest {
   private final ReferenceQueue<World> gone = new ReferenceQueue<>();
@@ -15,7 +16,8 @@ class UrbiFinalizableTest {
     World world = new World();
     UrbiFinalizable.prototype(
         world.values().object.cloneShape(),
-        new Finalization(Journal.NONE, new FinalizationTest.RunningCode(), System::gc));
+        new Finalization(
+            Journal.NONE, new FinalizationTest.RunningCode(), System::gc, new SystemClock()));
     return new PhantomReference<>(world, gone);
   }
 
