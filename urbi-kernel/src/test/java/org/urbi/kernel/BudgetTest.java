@@ -5,10 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -299,5 +303,18 @@ class BudgetTest {
     assertEquals(3, budget.limit(Resource.TIMERS));
     budget.setLimits(Budget.fitting(400 << 20, "jobs=3"));
     assertEquals(3, budget.limit(Resource.JOBS));
+  }
+
+  /** A device has no end: what is read of it does not fill the memory. */
+  @Test
+  void memoryOfWhatIsReadOfAFile(@TempDir Path folder) throws IOException {
+    TestClient one = owner();
+    Path file = folder.resolve("large");
+    Files.write(file, new byte[2_000_000]);
+    String read = "File.new(\"" + file + "\").content.data.size;";
+    assertEquals("2000000", one.say(read));
+    one.say("lobby.setBudget(\"memory\", 1000000)|;");
+    assertExhausted("1000000 bytes", one.say(read));
+    assertTrue(one.say("File.new(\"/dev/zero\").content;").contains("file too large"));
   }
 }

@@ -91,19 +91,24 @@ public final class Disk {
 
   // ------------------------------------------------------------------ content
 
-  /** All bytes of a file. */
-  public byte[] read(Path path) throws IOException {
-    return outside.query(() -> readWhole(confinement().followed(path)));
+  /**
+   * All bytes of a file.
+   *
+   * @param most how many bytes it may have at most, if it is not a regular one
+   */
+  public byte[] read(Path path, long most) throws IOException {
+    return outside.query(() -> readWhole(confinement().followed(path), most));
   }
 
   /** Devices and pipes have no size, and may have no end. */
-  private static byte[] readWhole(Path path) throws IOException {
+  private static byte[] readWhole(Path path, long most) throws IOException {
     if (Files.isRegularFile(path)) {
       return Files.readAllBytes(path);
     }
+    int limit = (int) Math.min(LARGEST_DEVICE, most);
     try (InputStream in = waiting(path)) {
-      byte[] bytes = in.readNBytes(LARGEST_DEVICE);
-      if (bytes.length == LARGEST_DEVICE && in.read() >= 0) {
+      byte[] bytes = in.readNBytes(limit);
+      if (bytes.length == limit && in.read() >= 0) {
         throw new IOException(Problem.FILE_TOO_LARGE.text());
       }
       return bytes;

@@ -15,10 +15,12 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.date.UrbiDate;
+import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -164,18 +166,21 @@ public final class FileAccess {
   }
 
   /**
-   * All bytes of a file; if it is large, the job waits for them.
+   * All bytes of a file, as far as the budget of the job allows so many; if it is large, the job
+   * waits for them.
    *
    * @param path how messages call it
    */
   public byte[] content(Frame frame, CallSite site, UrbiPath path, Path file) {
     Disk disk = disk();
+    long most = frame.job().budget().limit(Resource.MEMORY);
     try {
       if (disk.isRegularFile(file)) {
         long size = disk.size(file);
+        Counting.checkMemory(frame, size);
         // Those of the operating system (proc(5)) seem to be empty, and may make readers wait.
         if (size > 0 && size <= LARGE) {
-          return disk.read(file);
+          return disk.read(file, most);
         }
       }
     } catch (IOException e) {
@@ -190,7 +195,7 @@ public final class FileAccess {
           if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
             throw new IOException(Problem.FILE_TOO_LARGE.text());
           }
-          return disk.read(file);
+          return disk.read(file, most);
         });
   }
 
