@@ -20,6 +20,9 @@ final class Document {
   /** What the document says of itself when it has been left behind. */
   static final String OLDER = "These figures are older than the benchmarks";
 
+  /** What the tests of the documentation want to know of each listing. */
+  private static final String LISTING = "<!-- listing: not run: figures of one machine -->";
+
   private static final String MACHINE = "@machine@";
   private static final String TABLES = "@tables@";
   private static final String DIGEST = "<!-- benchmarks %s -->";
@@ -40,7 +43,7 @@ final class Document {
     var tables = new ByteArrayOutputStream();
     try (var out = new PrintStream(tables, false, StandardCharsets.UTF_8)) {
       for (Section section : sections) {
-        out.println("## " + section.title() + "\n\n```");
+        out.println("## " + section.title() + "\n\n" + LISTING + "\n```");
         new Table(section.results()).print(out);
         out.println("```\n");
       }
