@@ -170,7 +170,9 @@ class RecordedRunTest {
       two.connection.send("echo(\"with another gone: \" + System.lobbies.size);\n");
       visit(
           kernel,
-          "{ echo(\"a visit is over\") | sleep(1h) };\n",
+          // Told by another job: the interruption meets one that waits, however busy the machine
+          // is.
+          "{ detach({ sleep(1ms) | echo(\"a visit is over\") }) | sleep(1h) };\n",
           waiting -> {
             waiting.interrupt();
             waiting.end();
