@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.urbi.server.make.UmakeJava;
 import org.urbi.tests.TestTimeout;
 
 /** Faults of the machine, and how the server ends (docs/robustness.md). */
@@ -218,37 +217,7 @@ class FaultsTest {
   /** The component looks at nothing, and neither does anybody whom it keeps waiting. */
   @Test
   void blockedKernelEndsTheProcess() throws Exception {
-    Path sources = Files.createDirectory(folder.resolve("stuck.uob"));
-    Files.writeString(
-        sources.resolve("Stuck.java"),
-        """
-        import urbi.UObject;
-
-        public class Stuck extends UObject {
-          static { UStart(Stuck.class); }
-
-          public Stuck(String name) {
-            super(name);
-            UBindFunction(this, "spin");
-            UBindFunction(this, "park");
-          }
-
-          public int spin() {
-            while (true) {
-              Thread.onSpinWait();
-            }
-          }
-
-          public int park() {
-            while (true) {
-              java.util.concurrent.locks.LockSupport.park();
-            }
-          }
-        }
-        """);
-    Path jar = folder.resolve("stuck.jar");
-    String[] words = {"-q", sources.toString(), "-o", jar.toString()};
-    assertEquals(0, UmakeJava.run(words, System.out, System.err));
+    Path jar = StuckModule.in(folder);
     String load = "loadModule(\"" + jar + "\");\n";
     try (ServerProcess server = ServerProcess.in(folder, "--watchdog", "2s", "--max-hold", "1s");
         ConsoleClient client = server.connect()) {

@@ -8,6 +8,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -215,6 +216,11 @@ final class JavaProcess implements AutoCloseable {
       reader.join(TestTimeout.LONG);
     }
     return process.exitValue();
+  }
+
+  /** Waits for its end, but not longer than that; returns whether it has ended. */
+  boolean endsWithin(Duration limit) throws InterruptedException {
+    return process.waitFor(limit);
   }
 
   long pid() {
