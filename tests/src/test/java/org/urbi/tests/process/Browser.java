@@ -94,7 +94,9 @@ final class Browser {
       String answer =
           post(
               "",
-              "{\"capabilities\":{\"alwaysMatch\":{\"goog:chromeOptions\":{\"binary\":\""
+              "{\"capabilities\":{\"alwaysMatch\":{\"timeouts\":{\"script\":"
+                  + LIMIT.toMillis()
+                  + "},\"goog:chromeOptions\":{\"binary\":\""
                   + program
                   + "\",\"args\":["
                   + options
