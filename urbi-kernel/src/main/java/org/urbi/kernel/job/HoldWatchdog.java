@@ -169,6 +169,13 @@ public final class HoldWatchdog {
     scheduler.interruptions().measure(meter);
   }
 
+  /** On the kernel thread: the running job, whose turn has that number, has worked for too long. */
+  void endOverdue(Job job, long turn, long limit) {
+    if (toldTurn != turn) {
+      end(job, turn, StopReason.OVERDUE, limit);
+    }
+  }
+
   /** On the kernel thread: the running job, whose turn has that number, has allocated too much. */
   void endGreedy(Job job, long turn, long limit) {
     if (toldTurn != turn) {
@@ -278,14 +285,29 @@ public final class HoldWatchdog {
         end(job, seen, StopReason.GREEDY, memory);
         return;
       }
-      long most = job.budget().holdLimit(limit);
-      long allowed = hurried ? Math.min(most, limit / HURRY) : most;
-      if (isOverdue(job, now - heldSince, allowed, most)) {
+      long allowed = holdFor(job);
+      if (isOverdue(job, now - heldSince, allowed)) {
         end(job, seen, StopReason.OVERDUE, allowed);
       }
     } else if (!interrupted) {
       interruptComponent(job, seen);
     }
+  }
+
+  /** For how long a job may hold the kernel, in nanoseconds. */
+  long holdFor(Job job) {
+    long most = job.budget().holdLimit(limit);
+    return hurried ? Math.min(most, limit / HURRY) : most;
+  }
+
+  /** The time of the machine, in nanoseconds. */
+  long time() {
+    return machine.now();
+  }
+
+  /** The processor time of the kernel thread, in nanoseconds; unless it is {@link #UNKNOWN}. */
+  long processorTime() {
+    return gauges.processorTime.getAsLong();
   }
 
   /** What the turn of a job may allocate: in a crowd there must be something left for others. */
@@ -302,7 +324,7 @@ public final class HoldWatchdog {
     return hurried ? Math.min(most, gauges.memory / HURRIED_PART) : most;
   }
 
-  private boolean isOverdue(Job job, long held, long allowed, long most) {
+  private boolean isOverdue(Job job, long held, long allowed) {
     if (held >= allowed / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
       processorTimeAtHalf = gauges.processorTime.getAsLong();
@@ -312,6 +334,7 @@ public final class HoldWatchdog {
     if (held < allowed) {
       return false;
     }
+    long most = job.budget().holdLimit(limit);
     if (job.component() != null || processorTimeAtHalf == UNKNOWN) {
       return held >= most;
     }

@@ -10,6 +10,9 @@ import org.urbi.kernel.budget.Resource;
  * millisecond some megabytes are filled. To count costs as much as a hundred checks, so most checks
  * only count themselves; the more has been allocated between two of them, the sooner the next one
  * looks.
+ *
+ * <p>It also looks how long such a job has held the kernel: on a busy machine the thread that
+ * watches that may get no processor for a while, but this one has one.
  */
 final class MemoryMeter {
   /** So many checks of a turn cost nothing: most turns have no more. */
@@ -18,9 +21,7 @@ final class MemoryMeter {
   /** Never more checks than these between two looks. */
   private static final long MOST_CHECKS = 256;
 
-  /**
-   * How often it looks before the limit is reached, at least, if code goes on allocating as now.
-   */
+  /** How often it looks before a limit is reached, at least, if code goes on as now. */
   private static final int LOOKS = 8;
 
   private final LongSupplier allocated;
@@ -39,6 +40,14 @@ final class MemoryMeter {
   private long before;
 
   private long seen;
+
+  /** When the turn was first looked at, and at the last look. */
+  private long since;
+
+  private long looked;
+
+  /** The processor time of the kernel thread when the turn was first looked at. */
+  private long workedBefore;
 
   /**
    * @param allocated how many bytes the kernel thread has allocated
@@ -70,25 +79,44 @@ final class MemoryMeter {
   private void look(Job job) {
     gate.pass();
     long now = allocated.getAsLong();
+    long time = watch.time();
     if (begun) {
-      long used = now - before;
-      long limit = watch.mostFor(job);
-      if (used > limit / LOOKS) {
-        // How much is free is not asked in each short turn.
-        limit = watch.memoryFor(job);
-        if (used > limit) {
-          watch.endGreedy(job, turn, limit);
-        }
-      }
-      long room = Math.min(Math.max(0, limit - used), gate.room(now)) / LOOKS;
-      long each = Math.max(1, (now - seen) / checks);
-      checks = Math.clamp(room / each, 1, Math.min(2 * checks, MOST_CHECKS));
+      long most = Math.min(checksOfMemory(job, now), checksOfHold(job, time));
+      checks = Math.clamp(most, 1, Math.min(2 * checks, MOST_CHECKS));
     } else {
       begun = true;
       before = now;
+      since = time;
+      workedBefore = watch.processorTime();
       checks = 1;
     }
     seen = now;
+    looked = time;
     left = checks;
+  }
+
+  /** Ends who has allocated too much; returns in how many checks that is to be looked at again. */
+  private long checksOfMemory(Job job, long now) {
+    long used = now - before;
+    long limit = watch.mostFor(job);
+    if (used > limit / LOOKS) {
+      // How much is free is not asked in each short turn.
+      limit = watch.memoryFor(job);
+      if (used > limit) {
+        watch.endGreedy(job, turn, limit);
+      }
+    }
+    long room = Math.min(Math.max(0, limit - used), gate.room(now)) / LOOKS;
+    return room / Math.max(1, (now - seen) / checks);
+  }
+
+  /** The same for who has held the kernel for too long. */
+  private long checksOfHold(Job job, long time) {
+    long limit = watch.holdFor(job);
+    // The processor time takes longer to ask for than the time.
+    if (time - since >= limit && watch.processorTime() - workedBefore >= limit) {
+      watch.endOverdue(job, turn, limit);
+    }
+    return limit / LOOKS / Math.max(1, (time - looked) / checks);
   }
 }

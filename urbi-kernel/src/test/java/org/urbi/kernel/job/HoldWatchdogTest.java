@@ -178,6 +178,57 @@ class HoldWatchdogTest {
     assertEquals(List.of(), told);
   }
 
+  /**
+   * How many checks, each after so much time of the machine and of the processor, a job of limited
+   * memory has until it ends, though the watchdog does not look; at most 10,000.
+   */
+  private int checksUntilItIsOverdue(long time, long processor) {
+    int[] checks = {0};
+    processorTime = 0;
+    loop.machine.now = 0;
+    watch.limitMemory();
+    loop.scheduler.budgetOf(loop.object()).setLimit(Resource.MEMORY, Long.MAX_VALUE - 1);
+    loop.start(job -> {
+      try {
+        while (checks[0] < 10_000) {
+          loop.machine.now += time;
+          processorTime += processor;
+          job.checkInterrupted();
+          checks[0]++;
+        }
+      } catch (TagStop overdue) {
+        assertEquals(1, told.size());
+      }
+    });
+    loop.run();
+    return checks[0];
+  }
+
+  /** Busy machines may keep the watchdog from looking, but not the one who holds the kernel. */
+  @Test
+  void theKernelThreadNoticesByItselfWhoHoldsIt() {
+    int checks = checksUntilItIsOverdue(1, 1);
+    assertTrue(checks >= LIMIT && checks < 1.3 * LIMIT, () -> checks + " checks");
+  }
+
+  @Test
+  void theLongerAJobTakesBetweenTwoChecksTheSoonerTheKernelThreadLooks() {
+    int checks = checksUntilItIsOverdue(LIMIT / 4, LIMIT / 4);
+    assertTrue(checks < 24, () -> checks + " checks");
+  }
+
+  @Test
+  void theKernelThreadCountsWhatItHasWorked() {
+    int checks = checksUntilItIsOverdue(10, 1);
+    assertTrue(checks >= LIMIT && checks < 1.3 * LIMIT, () -> checks + " checks");
+  }
+
+  @Test
+  void whoGetsNoProcessorIsLeftToTheWatchdog() {
+    assertEquals(10_000, checksUntilItIsOverdue(LIMIT, 0));
+    assertEquals(List.of(), told);
+  }
+
   /** However many there are, they cannot fill it. */
   @Test
   void aTurnTakesOnlyAPartOfTheMemoryThatIsFree() {
