@@ -49,6 +49,14 @@ record Example(List<String> lines) {
     return lines.stream().filter(ConsoleTranscript::isOutput).collect(Collectors.joining("\n"));
   }
 
+  /**
+   * Whether it waits for another program: simulated time goes on meanwhile if the machine takes
+   * long for it, so that the times of the answers say nothing.
+   */
+  boolean waitsForPrograms() {
+    return block().matches("(?s).*(System\\.system|Process\\.new)\\(.*");
+  }
+
   /** What a fresh kernel answers, in a directory with nothing in it. */
   String answer() {
     return answer(input());
