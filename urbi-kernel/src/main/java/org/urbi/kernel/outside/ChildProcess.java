@@ -113,19 +113,18 @@ public final class ChildProcess {
       throws IOException {
     outside.confinement().checkProcesses();
     job.identity().take(Resource.PROCESSES);
-    Process process = null;
+    ProgramStart start = ProgramStart.of(outside, () -> builder(command, directory, env).start());
     boolean started = false;
     try {
-      process = outside.awaitOpen(job, () -> builder(command, directory, env).start());
+      Process process = outside.awaitOpen(job, start);
       ChildProcess child = new ChildProcess(outside, process, job.budget());
       started = true;
+      start.over();
       return child;
     } finally {
       if (!started) {
-        if (process != null) {
-          // Nobody watches it, because the machine has no more threads.
-          process.destroyForcibly();
-        }
+        // The job was ended meanwhile, or nobody watches it, as the machine has no more threads.
+        start.abandon();
         job.budget().giveBack(Resource.PROCESSES);
       }
     }
@@ -210,7 +209,7 @@ public final class ChildProcess {
   }
 
   /** Nobody reads it any more. */
-  private static void end(Process process) {
+  static void end(Process process) {
     kill(process);
     process.destroyForcibly();
   }
