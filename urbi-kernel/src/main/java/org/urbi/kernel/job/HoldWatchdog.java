@@ -169,17 +169,13 @@ public final class HoldWatchdog {
     scheduler.interruptions().measure(meter);
   }
 
-  /** On the kernel thread: the running job, whose turn has that number, has worked for too long. */
-  void endOverdue(Job job, long turn, long limit) {
+  /**
+   * On the kernel thread: the running job, whose turn has that number, has reached a limit; told
+   * once.
+   */
+  void endOnce(Job job, long turn, StopReason why, long limit) {
     if (toldTurn != turn) {
-      end(job, turn, StopReason.OVERDUE, limit);
-    }
-  }
-
-  /** On the kernel thread: the running job, whose turn has that number, has allocated too much. */
-  void endGreedy(Job job, long turn, long limit) {
-    if (toldTurn != turn) {
-      end(job, turn, StopReason.GREEDY, limit);
+      end(job, turn, why, limit);
     }
   }
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
+import org.urbi.kernel.journal.StopReason;
 
 /**
  * Counts on the kernel thread what the running job allocates without letting others run, where its
@@ -103,7 +104,7 @@ final class MemoryMeter {
       // How much is free is not asked in each short turn.
       limit = watch.memoryFor(job);
       if (used > limit) {
-        watch.endGreedy(job, turn, limit);
+        watch.endOnce(job, turn, StopReason.GREEDY, limit);
       }
     }
     long room = Math.min(Math.max(0, limit - used), gate.room(now)) / LOOKS;
@@ -115,7 +116,7 @@ final class MemoryMeter {
     long limit = watch.holdFor(job);
     // The processor time takes longer to ask for than the time.
     if (time - since >= limit && watch.processorTime() - workedBefore >= limit) {
-      watch.endOverdue(job, turn, limit);
+      watch.endOnce(job, turn, StopReason.OVERDUE, limit);
     }
     return limit / LOOKS / Math.max(1, (time - looked) / checks);
   }

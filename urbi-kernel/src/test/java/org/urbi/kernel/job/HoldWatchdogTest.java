@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.journal.StopReason;
@@ -128,25 +130,35 @@ class HoldWatchdogTest {
   }
 
   /**
-   * A job that allocates so much between two checks, and how many of these it has until it ends.
+   * How many checks a job of limited memory has until it ends, though the watchdog does not look;
+   * at most 10,000.
+   *
+   * @param between what happens before each of them
    */
-  private int checksUntilItEnds(long bytes, long limit) {
+  private int checksUntilItEnds(long memory, Runnable between) {
     int[] checks = {0};
     watch.limitMemory();
-    loop.scheduler.budgetOf(loop.object()).setLimit(Resource.MEMORY, limit);
-    loop.start(job ->
-        assertThrows(
-            TagStop.class,
-            () -> {
-              while (checks[0] < 10_000) {
-                allocated += bytes;
-                job.checkInterrupted();
-                checks[0]++;
-              }
-            }));
+    loop.scheduler.budgetOf(loop.object()).setLimit(Resource.MEMORY, memory);
+    loop.start(job -> {
+      try {
+        while (checks[0] < 10_000) {
+          between.run();
+          job.checkInterrupted();
+          checks[0]++;
+        }
+      } catch (TagStop ended) {
+        assertEquals(1, told.size());
+      }
+    });
     loop.run();
-    assertEquals(1, told.size());
     return checks[0];
+  }
+
+  /** The same for a job that allocates so much between two checks. */
+  private int checksUntilItEnds(long bytes, long limit) {
+    int checks = checksUntilItEnds(limit, () -> allocated += bytes);
+    assertEquals(1, told.size());
+    return checks;
   }
 
   @Test
@@ -178,36 +190,23 @@ class HoldWatchdogTest {
     assertEquals(List.of(), told);
   }
 
-  /**
-   * How many checks, each after so much time of the machine and of the processor, a job of limited
-   * memory has until it ends, though the watchdog does not look; at most 10,000.
-   */
+  /** The same for one that takes so much time of the machine and of the processor. */
   private int checksUntilItIsOverdue(long time, long processor) {
-    int[] checks = {0};
     processorTime = 0;
     loop.machine.now = 0;
-    watch.limitMemory();
-    loop.scheduler.budgetOf(loop.object()).setLimit(Resource.MEMORY, Long.MAX_VALUE - 1);
-    loop.start(job -> {
-      try {
-        while (checks[0] < 10_000) {
+    return checksUntilItEnds(
+        Long.MAX_VALUE - 1,
+        () -> {
           loop.machine.now += time;
           processorTime += processor;
-          job.checkInterrupted();
-          checks[0]++;
-        }
-      } catch (TagStop overdue) {
-        assertEquals(1, told.size());
-      }
-    });
-    loop.run();
-    return checks[0];
+        });
   }
 
   /** Busy machines may keep the watchdog from looking, but not the one who holds the kernel. */
-  @Test
-  void theKernelThreadNoticesByItselfWhoHoldsIt() {
-    int checks = checksUntilItIsOverdue(1, 1);
+  @ParameterizedTest
+  @ValueSource(longs = {1, 10})
+  void theKernelThreadNoticesByItselfHowLongWhoHoldsItHasWorked(long time) {
+    int checks = checksUntilItIsOverdue(time, 1);
     assertTrue(checks >= LIMIT && checks < 1.3 * LIMIT, () -> checks + " checks");
   }
 
@@ -215,12 +214,6 @@ class HoldWatchdogTest {
   void theLongerAJobTakesBetweenTwoChecksTheSoonerTheKernelThreadLooks() {
     int checks = checksUntilItIsOverdue(LIMIT / 4, LIMIT / 4);
     assertTrue(checks < 24, () -> checks + " checks");
-  }
-
-  @Test
-  void theKernelThreadCountsWhatItHasWorked() {
-    int checks = checksUntilItIsOverdue(10, 1);
-    assertTrue(checks >= LIMIT && checks < 1.3 * LIMIT, () -> checks + " checks");
   }
 
   @Test
