@@ -135,7 +135,7 @@ class RemoteLeakTest {
       server = opened;
       client = asking;
       client.setDefaultTimeout(TestTimeout.LONG);
-      client.send("loadModule(\"urbi/rtp\");");
+      assertEquals(1, eval("{ loadModule(\"urbi/rtp\") | 1 }"));
       cycles(WARM_UP);
       Left before = settled(null);
       long heapBefore = heap();
