@@ -389,7 +389,7 @@ public final class Frame implements Place {
   @Override
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
-    ArrayDeque<CallSite> outermost = new ArrayDeque<>();
+    ArrayDeque<CallSite> outermost = null;
     int leftOut = 0;
     for (Frame frame = this; frame != null; frame = frame.caller) {
       CallSite from = frame.site;
@@ -400,6 +400,9 @@ public final class Frame implements Place {
         calls.add(call(from));
         continue;
       }
+      if (outermost == null) {
+        outermost = new ArrayDeque<>();
+      }
       outermost.add(from);
       if (outermost.size() > OUTERMOST_CALLS) {
         outermost.remove();
@@ -409,7 +412,9 @@ public final class Frame implements Place {
     if (leftOut > 0) {
       calls.add(UrbiException.Call.leftOut(leftOut));
     }
-    outermost.forEach(from -> calls.add(call(from)));
+    if (outermost != null) {
+      outermost.forEach(from -> calls.add(call(from)));
+    }
     return calls;
   }
 

@@ -18,6 +18,7 @@ import org.urbi.kernel.object.World;
  * @param self that object
  * @param holder whose slot it is; null if the target itself has it
  * @param index the index among the slots of its holder
+ * @param own the code there, for all that is known, if it is a slot of the target itself; or null
  */
 public record KnownSlot(
     World world,
@@ -26,7 +27,8 @@ public record KnownSlot(
     @Nullable Shape shape,
     @Nullable UrbiObject self,
     @Nullable UrbiObject holder,
-    int index) {
+    int index,
+    SlotLookup.@Nullable OwnCode own) {
 
   private boolean isExpected(UrbiObject target) {
     return shape == null ? target == self : target.shape() == shape;

@@ -18,6 +18,9 @@ import org.urbi.kernel.object.World;
 public final class SlotLookup {
   private static final int LIMIT = 6;
 
+  /** The index in an entry for targets that have no such slot. */
+  private static final int ABSENT = -1;
+
   /** Where the slot of one shape of targets is. */
   private static final class Entry {
     final Shape shape;
@@ -26,15 +29,33 @@ public final class SlotLookup {
     /** Null when the target itself has the slot. */
     final @Nullable UrbiObject holder;
 
+    /** {@link #ABSENT} if nobody has it. */
     final int index;
+
+    final @Nullable OwnCode own;
     final @Nullable Entry next;
 
-    Entry(Shape shape, int epoch, @Nullable UrbiObject holder, int index, @Nullable Entry next) {
+    Entry(
+        Shape shape,
+        int epoch,
+        @Nullable UrbiObject holder,
+        int index,
+        @Nullable OwnCode own,
+        @Nullable Entry next) {
       this.shape = shape;
       this.epoch = epoch;
       this.holder = holder;
       this.index = index;
+      this.own = own;
       this.next = next;
+    }
+
+    /** The value of the slot for such a target; null if there is none. */
+    @Nullable UrbiObject value(UrbiObject target) {
+      if (index == ABSENT) {
+        return null;
+      }
+      return (holder == null ? target : holder).slotAt(index);
     }
   }
 
@@ -57,15 +78,33 @@ public final class SlotLookup {
    *
    * @param holder whose slot it is; null if the target itself has it
    * @param index the index among the slots of its holder
+   * @param own what the target of the first of these lookups had there, if it was its own slot and
+   *     held code; otherwise null
    */
-  public record Known(Shape shape, @Nullable UrbiObject holder, int index) {}
+  public record Known(Shape shape, @Nullable UrbiObject holder, int index, @Nullable OwnCode own) {}
+
+  /**
+   * Code in a slot of the target itself. Other targets of the same shape may have other code there,
+   * or none.
+   *
+   * @param body the code of the function; null if it is none
+   */
+  public record OwnCode(Function.@Nullable Body body) {
+    private static @Nullable OwnCode of(UrbiObject value) {
+      return switch (value) {
+        case Function function when function.isUnbound() -> new OwnCode(function.body());
+        case Code code -> new OwnCode(null);
+        default -> null;
+      };
+    }
+  }
 
   /** What has been found here until now and is still valid, last things first. */
   public List<Known> known() {
     List<Known> known = new ArrayList<>();
     for (Entry entry = entries; entry != null; entry = entry.next) {
-      if (entry.epoch == name.epoch()) {
-        known.add(new Known(entry.shape, entry.holder, entry.index));
+      if (entry.epoch == name.epoch() && entry.index != ABSENT) {
+        known.add(new Known(entry.shape, entry.holder, entry.index, entry.own));
       }
     }
     return known;
@@ -77,8 +116,7 @@ public final class SlotLookup {
       Shape shape = target.shape();
       for (Entry entry = entries; entry != null; entry = entry.next) {
         if (entry.shape == shape && entry.epoch == name.epoch()) {
-          UrbiObject holder = entry.holder;
-          return (holder == null ? target : holder).slotAt(entry.index);
+          return entry.value(target);
         }
       }
       return remember(frame, target);
@@ -90,11 +128,12 @@ public final class SlotLookup {
   @Nullable UrbiObject findPlain(UrbiObject target) {
     for (Entry entry = entries; entry != null; entry = entry.next) {
       if (entry.shape == target.shape() && entry.epoch == name.epoch()) {
-        return (entry.holder == null ? target : entry.holder).slotAt(entry.index);
+        return entry.value(target);
       }
     }
     UrbiObject holder = target.locate(name);
     if (holder == null) {
+      remember(target, null, ABSENT);
       return null;
     }
     int index = holder.shape().indexOf(name);
@@ -107,6 +146,7 @@ public final class SlotLookup {
   private @Nullable UrbiObject remember(Frame frame, UrbiObject target) {
     UrbiObject holder = target.locate(name);
     if (holder == null) {
+      remember(target, null, ABSENT);
       return null;
     }
     int index = holder.shape().indexOf(name);
@@ -117,19 +157,25 @@ public final class SlotLookup {
     return holder.slotAt(index);
   }
 
-  private void remember(UrbiObject target, UrbiObject holder, int index) {
+  private void remember(UrbiObject target, @Nullable UrbiObject holder, int index) {
     // Drops invalid entries, and the oldest one if there are too many.
     Entry kept = null;
     int count = 0;
     for (Entry entry = entries; entry != null && count < LIMIT - 1; entry = entry.next) {
       if (entry.epoch == name.epoch() && entry.shape != target.shape()) {
-        kept = new Entry(entry.shape, entry.epoch, entry.holder, entry.index, kept);
+        kept = new Entry(entry.shape, entry.epoch, entry.holder, entry.index, entry.own, kept);
         count++;
       }
     }
+    boolean isOwn = holder == target;
     entries =
         new Entry(
-            target.shape(), world.remember(name), holder == target ? null : holder, index, kept);
+            target.shape(),
+            world.remember(name),
+            isOwn ? null : holder,
+            index,
+            isOwn ? OwnCode.of(target.slotAt(index)) : null,
+            kept);
   }
 
   /** The value of a slot, or null, without a cache; a getter is called. */

@@ -78,8 +78,8 @@ final class Callees {
   private boolean callsNobody(MessageSend message, List<KnownSlot> known) {
     int count = message.argumentNodes().length;
     return known.stream()
-        .map(KnownSlot::code)
-        .allMatch(code -> code == null || shortcut(code, count) != null);
+        .allMatch(place ->
+            place.own() == null && (place.code() == null || shortcut(place.code(), count) != null));
   }
 
   /** Whether the function has called itself, for the same target, and nobody else. */

@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.CompiledCode;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
@@ -70,6 +71,14 @@ final class EmitMessages {
     boolean hasCode = false;
     for (KnownSlot place : places) {
       UrbiCode code = place.code();
+      if (place.own() != null) {
+        Label next = to.code.newLabel();
+        slots.readOwn(place, receiver, found, next);
+        callOwn(place, message, receiver, found, List.of(), result, over);
+        to.code.goto_(answers).labelBinding(next);
+        hasCode = true;
+        continue;
+      }
       if (code == null) {
         slots.plainValue(place, receiver, found, over);
         continue;
@@ -103,6 +112,38 @@ final class EmitMessages {
     to.code.astore(found);
     to.afterOthers();
     to.code.labelBinding(over);
+  }
+
+  /** Calls what has been found in a slot of the target itself, if it is the expected function. */
+  private void callOwn(
+      KnownSlot place,
+      MessageSend message,
+      int receiver,
+      int found,
+      List<Value> arguments,
+      Value result,
+      Label over) {
+    Function.Body body = place.own() == null ? null : place.own().body();
+    Callee callee = callees.of(body, arguments.size());
+    if (callee != null) {
+      Label other = to.code.newLabel();
+      unlessCallable(found, callee, other);
+      call(callee, () -> function(found), message, receiver, arguments, result);
+      to.code.goto_(over).labelBinding(other);
+    }
+  }
+
+  /** Jumps unless what has been found is that function, and its code can be called. */
+  private void unlessCallable(int found, Callee callee, Label otherwise) {
+    to.code.aload(found);
+    to.constant(callee.body(), Names.BODY);
+    to.help("isFunction", CD_boolean, Names.OBJECT, Names.BODY);
+    to.code.ifeq(otherwise);
+    unlessOutdated(callee, otherwise);
+  }
+
+  private void function(int found) {
+    to.code.aload(found).checkcast(Names.FUNCTION);
   }
 
   private void countMiss(List<KnownSlot> places) {
@@ -228,6 +269,9 @@ final class EmitMessages {
             code,
             next -> call(callee, () -> function(code), message, receiver, arguments, result),
             over));
+    for (KnownSlot place : places) {
+      callOwn(place, message, receiver, found, arguments, result, over);
+    }
     call(message, receiver, found, arguments);
     to.code.astore(result.object());
     to.afterOthers();
@@ -270,13 +314,8 @@ final class EmitMessages {
     if (callee != null) {
       Label other = to.code.newLabel();
       to.doubt(other);
-      to.code.aload(found);
-      to.constant(callee.body(), Names.BODY);
-      to.help("isFunction", CD_boolean, Names.OBJECT, Names.BODY);
-      to.code.ifeq(other);
-      unlessOutdated(callee, other);
-      Runnable function = () -> to.code.aload(found).checkcast(Names.FUNCTION);
-      call(callee, function, message, receiver, arguments(message), result);
+      unlessCallable(found, callee, other);
+      call(callee, () -> function(found), message, receiver, arguments(message), result);
       to.code.goto_(over);
       to.code.labelBinding(other);
       slots.missed();

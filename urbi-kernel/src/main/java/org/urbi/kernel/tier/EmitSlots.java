@@ -74,6 +74,13 @@ final class EmitSlots {
     }
   }
 
+  /** Stores the value of a slot of the target itself; jumps if it is not there. */
+  void readOwn(KnownSlot place, int target, int value, Label otherwise) {
+    check(place, target, otherwise);
+    read(place, target);
+    to.code.astore(value);
+  }
+
   /** If the slot is there and its value is no code, stores the value and jumps. */
   void plainValue(KnownSlot place, int target, int value, Label found) {
     Label otherwise = to.code.newLabel();
@@ -227,7 +234,7 @@ final class EmitSlots {
       set(place, target, result, slow, over);
     } else if (shape != null) {
       set(
-          places.known(assignment.name(), shape, null, null, assignment.knownIndex()),
+          places.own(assignment.name(), shape, assignment.knownIndex()),
           target,
           result,
           slow,

@@ -34,7 +34,7 @@ final class KnownPlaces {
     }
     for (SlotLookup.Known known : lookup.known()) {
       if (places.size() < MOST_PLACES) {
-        places.add(known(lookup.name(), known.shape(), null, known.holder(), known.index()));
+        places.add(known(lookup.name(), known));
       }
     }
     return places;
@@ -55,17 +55,25 @@ final class KnownPlaces {
     }
     lobby.announceChanges();
     lobby.world().remember(name);
-    return known(name, null, lobby, holder, holder.shape().indexOf(name));
+    int index = holder.shape().indexOf(name);
+    return new KnownSlot(lobby.world(), name, name.epoch(), null, lobby, holder, index, null);
+  }
+
+  /** A slot of targets of a shape themselves, that is to be set. */
+  KnownSlot own(Symbol name, Shape shape, int index) {
+    return known(name, new SlotLookup.Known(shape, null, index, null));
   }
 
   /** A place that is the same until the epoch of the name changes. */
-  KnownSlot known(
-      Symbol name,
-      @Nullable Shape shape,
-      @Nullable UrbiObject self,
-      @Nullable UrbiObject holder,
-      int index) {
+  private KnownSlot known(Symbol name, SlotLookup.Known known) {
     return new KnownSlot(
-        unit.frame().self().world(), name, name.epoch(), shape, self, holder, index);
+        unit.frame().self().world(),
+        name,
+        name.epoch(),
+        known.shape(),
+        null,
+        known.holder(),
+        known.index(),
+        known.own());
   }
 }

@@ -55,6 +55,54 @@ class LookupCacheTest {
   }
 
   @Test
+  void aSlotThatComesIsFound() {
+    ConsoleTranscript.check(
+        """
+        class A {}|; class B { var y = 2 }|;
+        var a = A.new|;
+        function f(name) { try { a.x } catch (var e) { e.message } }|;
+        f("x") | f("x");
+        [00000000] "lookup failed: x"
+        f("x");
+        [00000000] "lookup failed: x"
+        var A.x = 1|; f("x");
+        [00000000] 1
+        A.removeLocalSlot("x")|; f("x") | f("x");
+        [00000000] "lookup failed: x"
+        var a.x = 3|; f("x");
+        [00000000] 3
+        a.removeLocalSlot("x")|; f("x") | f("x");
+        [00000000] "lookup failed: x"
+        var Object.x = 4|; f("x");
+        [00000000] 4
+        Object.removeLocalSlot("x")|; f("x") | f("x");
+        [00000000] "lookup failed: x"
+        var B.x = 5|; f("x");
+        [00000000] "lookup failed: x"
+        A.addProto(B)|; f("x");
+        [00000000] 5
+        A.removeProto(B)|; f("x") | f("x");
+        [00000000] "lookup failed: x"
+        function A.fallback { "fallback of " + call.message }|; f("x");
+        [00000000] "fallback of x"
+        A.removeLocalSlot("fallback")|; f("x");
+        [00000000] "lookup failed: x"
+        for (var i : 70) a.setSlot("slot" + i, i); f("x") | f("x");
+        [00000000] "lookup failed: x"
+        var a.x = 6|; f("x");
+        [00000000] 6
+        var l = []|; function g(o) { try { o.x } catch { -1 } }|; g(l) | g(l);
+        [00000000] -1
+        var l.x = 1|; g(l);
+        [00000000] 1
+        var Float.x = 7|; [g(3), g([]), g(l)];
+        [00000000] [7, -1, 1]
+        Float.removeLocalSlot("x")|; g(3);
+        [00000000] -1
+        """);
+  }
+
+  @Test
   void aSlotThatHasMovedIsFound() {
     ConsoleTranscript.check(
         """

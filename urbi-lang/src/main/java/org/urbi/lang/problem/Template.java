@@ -2,12 +2,30 @@ package org.urbi.lang.problem;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The text of a message, in which <code>{name}</code> stands for what is known only when the
  * message is needed. The names are only for readers; the values are given in order.
  */
-public record Template(String text) {
+public final class Template {
+  private final String text;
+
+  /**
+   * What is before, between and behind the placeholders; null until it is needed. A list that
+   * cannot be modified may be passed on to other threads without more ado.
+   */
+  private @Nullable List<String> pieces;
+
+  public Template(String text) {
+    this.text = text;
+  }
+
+  /** The text with its placeholders. */
+  public String text() {
+    return text;
+  }
+
   /** The names of the placeholders, in the order of the text. */
   public List<String> places() {
     List<String> names = new ArrayList<>();
@@ -24,20 +42,36 @@ public record Template(String text) {
    * @throws IllegalArgumentException if there are more or fewer
    */
   public String fill(Object... values) {
-    int from = 0;
-    int used = 0;
+    List<String> around = pieces();
+    if (values.length != around.size() - 1) {
+      String wrong = values.length < around.size() ? "too few" : "too many";
+      throw new IllegalArgumentException(wrong + " values for: " + text);
+    }
+    if (values.length == 0) {
+      return text;
+    }
     StringBuilder filled = new StringBuilder(text.length() + 16 * values.length);
-    for (int open = open(0); open >= 0; open = open(from)) {
-      if (used == values.length) {
-        throw new IllegalArgumentException("too few values for: " + text);
+    filled.append(around.get(0));
+    for (int i = 0; i < values.length; i++) {
+      filled.append(values[i]).append(around.get(i + 1));
+    }
+    return filled.toString();
+  }
+
+  private List<String> pieces() {
+    List<String> known = pieces;
+    if (known == null) {
+      List<String> found = new ArrayList<>();
+      int from = 0;
+      for (int open = open(0); open >= 0; open = open(from)) {
+        found.add(text.substring(from, open));
+        from = text.indexOf('}', open) + 1;
       }
-      filled.append(text, from, open).append(values[used++]);
-      from = text.indexOf('}', open) + 1;
+      found.add(text.substring(from));
+      known = List.copyOf(found);
+      pieces = known;
     }
-    if (used < values.length) {
-      throw new IllegalArgumentException("too many values for: " + text);
-    }
-    return from == 0 ? text : filled.append(text, from, text.length()).toString();
+    return known;
   }
 
   /** The index of the next placeholder; a brace without a letter behind it is plain text. */
