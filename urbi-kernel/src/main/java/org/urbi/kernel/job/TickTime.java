@@ -78,6 +78,11 @@ public final class TickTime {
     return journal.ask(beginning::getAsBoolean);
   }
 
+  /** Whether somebody's time has come, in real time, while the running job goes on. */
+  public boolean isTimerDue() {
+    return clock.isReal() && timers.next() <= clock.now();
+  }
+
   /** When a wait ends that begins now and lasts so many nanoseconds. */
   long deadline(long wait) {
     long time = clock.isReal() ? measure() : now;

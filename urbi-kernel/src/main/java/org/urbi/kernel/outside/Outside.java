@@ -36,6 +36,9 @@ public final class Outside implements Closeable {
   /** Some milliseconds of waiting without letting others run. */
   private static final int SPINS = 200_000;
 
+  /** After so many it looks whether somebody's time has come, for whom the job does not wait. */
+  private static final int SPINS_BETWEEN_LOOKS = 1 << 10;
+
   /** How long to spin for the start of watching directories, which takes the JDK longer once. */
   private static final int WATCH_SPINS = 10_000_000;
 
@@ -267,6 +270,9 @@ public final class Outside implements Closeable {
       answer.post(outcome);
     });
     for (int i = 0; i < spins && early.get() == null && !isReplay(); i++) {
+      if (i % SPINS_BETWEEN_LOOKS == 0 && scheduler.time().isTimerDue()) {
+        break;
+      }
       Thread.onSpinWait();
     }
     if (spins == 0 || !query(() -> early.get() != null)) {

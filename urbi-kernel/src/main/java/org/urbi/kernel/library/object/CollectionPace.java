@@ -4,14 +4,15 @@ import org.urbi.kernel.time.Clock;
 
 /**
  * How often all garbage may be collected for one lobby although others have something to do, who
- * must wait for it: some times in a row, and then for a thousandth of the time.
+ * must wait for it: some times in a row, and then for a ten thousandth of the time, so that of a
+ * thousand periods of a control loop none is late for that.
  */
 final class CollectionPace {
   /** How long collections may take in a row, in nanoseconds, when there was none for long. */
   private static final long MOST = 100_000_000;
 
   /** For one part of so many there may be collections. */
-  private static final int PARTS = 1000;
+  private static final int PARTS = 10_000;
 
   private final Clock machine;
   private long left = MOST;
