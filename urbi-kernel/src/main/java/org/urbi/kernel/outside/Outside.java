@@ -36,7 +36,7 @@ public final class Outside implements Closeable {
   /** Some milliseconds of waiting without letting others run. */
   private static final int SPINS = 200_000;
 
-  /** After so many it looks whether somebody's time has come, for whom the job does not wait. */
+  /** After so many it looks whether a timer is due: its owner must not wait for the job. */
   private static final int SPINS_BETWEEN_LOOKS = 1 << 10;
 
   /** How long to spin for the start of watching directories, which takes the JDK longer once. */
