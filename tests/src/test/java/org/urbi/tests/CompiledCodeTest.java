@@ -2,6 +2,7 @@ package org.urbi.tests;
 
 import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
@@ -41,6 +42,13 @@ class CompiledCodeTest {
         assertEquals(interpreted, compiled, name + " in " + mode + ":\n" + program);
       }
     }
+  }
+
+  /** Runs a program, which must have no errors of syntax, interpreted and in one mode. */
+  static void compare(int threshold, int doubt, String program) {
+    String interpreted = KernelSession.runCompiled(0, 0, 0, program);
+    assertFalse(interpreted.contains("syntax error"), interpreted);
+    assertEquals(interpreted, KernelSession.runCompiled(threshold, doubt, 0, program));
   }
 
   @Test

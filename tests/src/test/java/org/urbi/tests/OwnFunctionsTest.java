@@ -1,7 +1,5 @@
 package org.urbi.tests;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
@@ -59,9 +57,7 @@ class OwnFunctionsTest {
   @ParameterizedTest
   @CsvSource({"1, 0", "2, 0", "5, 0", "1, 3", "3, 2"})
   void theyDoWhatTheInterpreterDoes(int threshold, int doubt) {
-    String interpreted = KernelSession.runCompiled(0, 0, 0, PROGRAM);
-    assertFalse(interpreted.contains("syntax error"), interpreted);
-    assertEquals(interpreted, KernelSession.runCompiled(threshold, doubt, 0, PROGRAM));
+    CompiledCodeTest.compare(threshold, doubt, PROGRAM);
   }
 
   /** Each miss would be counted, and after a thousand the function be compiled again. */
