@@ -47,21 +47,28 @@ final class Entity implements AutoCloseable {
     this.kind = kind;
     c = session.functions();
     bytes = new SerializedBytes(c, session.allocator(), arena);
-    session.use(() -> init(support, name, delivery));
+    session.change(() -> init(support, name, delivery));
   }
 
-  private MemorySegment init(MemorySegment support, String name, @Nullable Delivery delivery) {
+  private void init(MemorySegment support, String name, @Nullable Delivery delivery) {
     try (Arena here = Arena.ofConfined()) {
       MemorySegment options = c.structure("rcl_" + kind + "_get_default_options", here);
       if (delivery != null) delivery.write(options);
       c.check("rcl_" + kind + "_init", memory, session.node(), support, name, options);
-      return memory;
     }
   }
 
-  /** What uses it gets it, and memory for bytes; nothing is done if it is closed. */
+  /**
+   * What uses it gets it, and memory for bytes; nothing is done if it is closed.
+   *
+   * @throws RosException if it is not, but the node is
+   */
   synchronized void use(Consumer<MemorySegment> action) {
-    if (!closed) action.accept(memory);
+    if (closed) return;
+    session.use(() -> {
+      action.accept(memory);
+      return memory;
+    });
   }
 
   /** Memory for bytes that the entity sends, for code that holds the lock of {@link #use}. */
@@ -70,11 +77,10 @@ final class Entity implements AutoCloseable {
   }
 
   /** To how many others it is connected, as a function of C counts them. */
-  synchronized int count(String function) {
-    if (closed) return 0;
+  int count(String function) {
     try (Arena here = Arena.ofConfined()) {
       MemorySegment count = here.allocate(ValueLayout.JAVA_LONG);
-      c.check(function, memory, count);
+      use(entity -> c.check(function, entity, count));
       return (int) count.get(ValueLayout.JAVA_LONG, 0);
     }
   }

@@ -8,11 +8,13 @@ final class Matches implements AutoCloseable {
   private static final long ROOM = 64;
 
   private final CFunctions c;
+  private final Entity publisher;
   private final MemorySegment event;
   private final Arrivals.Source source;
 
   Matches(Session session, Entity publisher, Arrivals arrivals) {
     c = session.functions();
+    this.publisher = publisher;
     event = publisher.allocate(ROOM);
     source = arrivals.source(session::wake);
     publisher.use(memory -> c.check("rcl_publisher_event_init", event, memory, PUBLISHER_MATCHED));
@@ -22,6 +24,7 @@ final class Matches implements AutoCloseable {
   @Override
   public void close() {
     source.close();
-    c.number("rcl_event_fini", event);
+    // By one thread at a time, and while there is the publisher.
+    publisher.use(memory -> c.number("rcl_event_fini", event));
   }
 }

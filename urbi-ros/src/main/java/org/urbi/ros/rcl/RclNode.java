@@ -156,7 +156,17 @@ public final class RclNode implements TwoHost {
   /** Something is there that is closed with the node. */
   void opened(AutoCloseable part) {
     open.add(part);
-    session.wake();
+    // Who closes the node may have closed all that was there before.
+    if (closed) close(part);
+    else session.wake();
+  }
+
+  private void close(AutoCloseable part) {
+    try {
+      part.close();
+    } catch (Exception e) {
+      reports.tell("at the end", e);
+    }
   }
 
   void closed(AutoCloseable part) {
@@ -291,13 +301,7 @@ public final class RclNode implements TwoHost {
   private synchronized void closeParts() {
     if (closed) return;
     closed = true;
-    for (AutoCloseable each : List.copyOf(open)) {
-      try {
-        each.close();
-      } catch (Exception e) {
-        reports.tell("at the end", e);
-      }
-    }
+    List.copyOf(open).forEach(this::close);
     arrivals.close();
     session.close();
   }

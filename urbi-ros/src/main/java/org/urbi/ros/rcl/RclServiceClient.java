@@ -46,8 +46,8 @@ final class RclServiceClient implements ServiceClient {
     flag = entity.allocate(1);
     source = node.arrivals().source(this::take);
     entity.hear(source, "response");
-    node.opened(this);
     stopsSeeking = node.seek(this::look);
+    node.opened(this);
     look();
   }
 

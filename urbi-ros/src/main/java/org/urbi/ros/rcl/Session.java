@@ -4,6 +4,7 @@ import java.lang.foreign.Arena;
 import java.lang.foreign.MemorySegment;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -33,6 +34,13 @@ final class Session implements AutoCloseable {
   private final MemorySegment waitSet = arena.allocate(ROOM, Long.BYTES);
   private final Thread waiting;
   private final ReentrantReadWriteLock life = new ReentrantReadWriteLock();
+
+  /**
+   * Whoever makes or ends a part of the node: {@code rcl} keeps their types, for one thread at a
+   * time.
+   */
+  private final ReentrantLock parts = new ReentrantLock();
+
   private volatile boolean closing;
   private boolean closed;
 
@@ -135,12 +143,26 @@ final class Session implements AutoCloseable {
     }
   }
 
+  /**
+   * Makes or ends a part of the node, while nobody else does.
+   *
+   * @throws RosException if the session is closed already
+   */
+  void change(Runnable action) {
+    use(() -> {
+      parts.lock();
+      try {
+        action.run();
+        return parts;
+      } finally {
+        parts.unlock();
+      }
+    });
+  }
+
   /** Ends a part of the node by a function of C. What that says against it is told. */
   void end(String function, MemorySegment part) {
-    use(() -> {
-      c.end(troubles, function, part, node);
-      return part;
-    });
+    change(() -> c.end(troubles, function, part, node));
   }
 
   MemorySegment node() {

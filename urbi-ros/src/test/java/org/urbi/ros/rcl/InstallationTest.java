@@ -1,6 +1,7 @@
 package org.urbi.ros.rcl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +28,7 @@ import org.urbi.ros.rtps.Neighbourhood;
 import org.urbi.ros.two.TwoNode;
 import org.urbi.ros.two.TwoSettings;
 import urbi.UDictionary;
+import urbi.thread.GuardedThreads;
 
 /** An installed ROS 2 that is not as it should be, and what is left when its nodes are closed. */
 class InstallationTest {
@@ -174,6 +177,48 @@ class InstallationTest {
           assertThrows(CompletionException.class, () -> Awaited.value(node.prepared(frames)));
       assertInstanceOf(RosException.class, missing.getCause());
       assertTrue(missing.getCause().getMessage().contains("nothing of the package tf2_msgs"));
+    }
+  }
+
+  @Test
+  void memoryIsSharedWithNobodyIfAProfileSaysSo() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node one = Ways.start("rcl", settings(domain.domain(), "one"), told::add);
+        Node two = Ways.start("rcl", settings(domain.domain(), "two"), told::add)) {
+      MessageType text = one.definitions().message("std_msgs/String");
+      BlockingQueue<UDictionary> heard = new LinkedBlockingQueue<>();
+      two.subscribe("x", text, Qos.LATCHED, heard::add);
+      one.advertise("x", text, Qos.LATCHED, new Publisher.Listener() {})
+          .publish(Templates.of(text));
+      Awaited.next(heard, told);
+      String maps = Files.readString(Path.of("/proc/self/maps"));
+      assertFalse(maps.contains("/dev/shm/fast"), maps);
+    }
+  }
+
+  /** {@code rcl} keeps the types of a node's parts where only one thread may be. */
+  @Test
+  void partsAreMadeOneAfterTheOther() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node node = Ways.start("rcl", settings(domain.domain(), "node"), told::add)) {
+      MessageType text = node.definitions().message("std_msgs/String");
+      CountDownLatch made = new CountDownLatch(1);
+      Thread second =
+          GuardedThreads.SDK.platform(
+              "second",
+              () -> {
+                node.subscribe("x", text, Qos.DEFAULT, message -> {}).close();
+                made.countDown();
+              });
+      ((RclNode) node)
+          .session()
+          .change(() -> {
+            second.start();
+            while (second.isAlive() && second.getState() != Thread.State.WAITING)
+              Thread.onSpinWait();
+            assertEquals(1, made.getCount());
+          });
+      Awaited.zero(made, "the second part");
     }
   }
 

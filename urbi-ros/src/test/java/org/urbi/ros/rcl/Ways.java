@@ -13,6 +13,9 @@ import org.urbi.ros.two.TwoSettings;
 
 /** Nodes that go one way or the other. */
 public final class Ways {
+  private static final Path WITHOUT_SHARED_MEMORY =
+      Path.of("../share/ros/without-shared-memory.xml").toAbsolutePath().normalize();
+
   private Ways() {}
 
   /** Those of one distribution are all that a process can have. */
@@ -38,7 +41,12 @@ public final class Ways {
   public static Node start(String way, TwoSettings settings, Consumer<String> people) {
     Map<String, String> environment = new HashMap<>();
     environment.put("URBI_ROS_MIDDLEWARE", way);
-    if (way.equals("rcl")) environment.put("AMENT_PREFIX_PATH", installation().toString());
+    if (way.equals("rcl")) {
+      environment.put("AMENT_PREFIX_PATH", installation().toString());
+      // On a busy machine, to end a node in shared memory is now and then the end of the process.
+      Libraries.environment("FASTDDS_DEFAULT_PROFILES_FILE", WITHOUT_SHARED_MEMORY.toString());
+      Libraries.environment("ROS_AUTOMATIC_DISCOVERY_RANGE", "SYSTEM_DEFAULT");
+    }
     return Middleware.start(environment, settings, people);
   }
 }

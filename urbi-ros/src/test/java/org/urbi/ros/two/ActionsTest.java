@@ -111,6 +111,14 @@ class ActionsTest {
     return Awaited.value(node.actions().client(name, null));
   }
 
+  private static boolean hearsFeedback(String other, Node node) {
+    return Awaited.value(node.graph())
+        .topics()
+        .get("/fibonacci/_action/feedback")
+        .subscribers()
+        .contains(other);
+  }
+
   private static <T> String failure(CompletableFuture<T> promise) {
     return assertThrows(CompletionException.class, promise::join).getCause().getMessage();
   }
@@ -196,6 +204,8 @@ class ActionsTest {
       peer.say("goal /fibonacci 3 1");
       ActionServer.Goal three = Awaited.next(goals.accepted);
       assertEquals(3, three.request().get("order").doubleValue());
+      // A goal may come before it is known that somebody subscribes to its feedback.
+      Awaited.until("the client's subscription", () -> hearsFeedback("/peer", node));
       three.feedback(sequence(0, 1));
       assertThrows(ValueException.class, () -> three.feedback(new UDictionary()));
       assertThrows(ValueException.class, () -> three.end(GoalStatus.SUCCEEDED, new UDictionary()));
