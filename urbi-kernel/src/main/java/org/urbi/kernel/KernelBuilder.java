@@ -126,7 +126,7 @@ public final class KernelBuilder {
   /**
    * After how many calls a function, and after ten times as many turns a loop, is compiled; 0 for
    * never, 1 for at once. By default what the property {@code urbi.tier} or the variable URBI_TIER
-   * of the environment says, or else 1,000 (docs/tier.md).
+   * of the environment says, or else 100 (docs/tier.md).
    */
   public KernelBuilder tier(int calls) {
     tierThreshold = calls;

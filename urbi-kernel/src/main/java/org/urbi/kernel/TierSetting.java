@@ -2,7 +2,7 @@ package org.urbi.kernel;
 
 /** Reads what the user says about the compilation of hot code. */
 final class TierSetting {
-  private static final int DEFAULT = 1000;
+  private static final int DEFAULT = 100;
 
   private TierSetting() {}
 
