@@ -12,8 +12,8 @@ import org.urbi.kernel.time.Clock;
 
 /**
  * Watches from another thread whether a job holds the kernel for too long without letting others
- * run, or allocates more memory meanwhile than its budget allows, and ends that job. Memory is
- * measured by {@link MemoryMeter}, too, which code that only waits for Java never asks. If the job
+ * run, or allocates more memory meanwhile than its budget allows, and ends that job. Both are
+ * measured by {@link HoldMeter}, too, which code that only waits for Java never asks. If the job
  * waits inside the Java code of a component, that thread is interrupted, too.
  *
  * <p>Code that gets no processor holds nothing: once half of the limit has passed, only the
@@ -56,7 +56,7 @@ public final class HoldWatchdog {
   private final long limit;
   private volatile long pause;
   private final Listener listener;
-  private final MemoryMeter meter;
+  private final HoldMeter meter;
   private volatile boolean hurried;
   private volatile boolean memoryLimited;
   private volatile long heldTurn = -1;
@@ -118,7 +118,7 @@ public final class HoldWatchdog {
     this.limit = limit;
     this.pause = pauseFor(limit);
     this.listener = listener;
-    this.meter = new MemoryMeter(gauges.allocated, this, scheduler.memory().gate());
+    this.meter = new HoldMeter(gauges.allocated, this, scheduler.memory().gate());
   }
 
   /**

@@ -51,7 +51,7 @@ public final class Interruptions {
   private final AtomicLong overdueTurn = new AtomicLong(NONE);
   private volatile StopReason overdueReason = StopReason.OVERDUE;
   private volatile Runnable changed = () -> {};
-  private volatile @Nullable MemoryMeter memory;
+  private volatile @Nullable HoldMeter meter;
 
   /** The turn of a job that has run for long: what it allocates is counted. */
   private volatile long measuredTurn = NONE;
@@ -121,20 +121,20 @@ public final class Interruptions {
     announce();
   }
 
-  /** From now on the memory that jobs allocate is counted in their checks. */
-  void measure(MemoryMeter meter) {
-    memory = meter;
+  /** From now on what jobs use is measured in their checks. */
+  void measure(HoldMeter meter) {
+    this.meter = meter;
   }
 
-  /** From now on the memory that jobs allocate is not counted. */
+  /** From now on what jobs use is not measured. */
   void measureNothing() {
-    memory = null;
+    meter = null;
     measuredTurn = NONE;
   }
 
   /** Whether it is counted, for those jobs for which that is wanted. */
   boolean isMeasuring() {
-    return memory != null;
+    return meter != null;
   }
 
   /** The turn of that number, if it still lasts, is measured from now on. */
@@ -178,13 +178,13 @@ public final class Interruptions {
 
   /** The turn of a job begins. */
   void beginTurnOf(Job job) {
-    MemoryMeter meter = memory;
+    HoldMeter meter = this.meter;
     if (meter != null || metered) {
       measure(job, meter);
     }
   }
 
-  private void measure(Job job, @Nullable MemoryMeter meter) {
+  private void measure(Job job, @Nullable HoldMeter meter) {
     boolean limited = meter != null && (meter.isFor(job) || measuredTurn == turns.getAsLong());
     if (limited != metered) {
       metered = limited;
@@ -194,7 +194,7 @@ public final class Interruptions {
 
   /** Throws if the running job must end. */
   void check(Job job) {
-    MemoryMeter meter = memory;
+    HoldMeter meter = this.meter;
     if (meter != null || metered) {
       measure(job, meter);
       if (meter != null && metered) {

@@ -6,16 +6,14 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.journal.StopReason;
 
 /**
- * Counts on the kernel thread what the running job allocates without letting others run, where its
- * budget limits that, or where it has run for long. Another thread would notice too late: in a
- * millisecond some megabytes are filled. To count costs as much as a hundred checks, so most checks
- * only count themselves; the more has been allocated between two of them, the sooner the next one
- * looks.
- *
- * <p>It also looks how long such a job has held the kernel: on a busy machine the thread that
- * watches that may get no processor for a while, but this one has one.
+ * Measures on the kernel thread what the running job allocates, and how long it holds the kernel,
+ * without letting others run, where its budget limits what it may allocate, or where it has run for
+ * long. Another thread would notice too late: in a millisecond some megabytes are filled, and on a
+ * busy machine the thread that watches may get no processor for a while. To measure costs as much
+ * as a hundred checks, so most checks only count themselves; the more has been used between two of
+ * them, the sooner the next one looks.
  */
-final class MemoryMeter {
+final class HoldMeter {
   /** So many checks of a turn cost nothing: most turns have no more. */
   private static final int FREE_CHECKS = 16;
 
@@ -55,7 +53,7 @@ final class MemoryMeter {
    * @param watch ends who exceeds the limit
    * @param gate to be passed where memory becomes scarce
    */
-  MemoryMeter(LongSupplier allocated, HoldWatchdog watch, MemoryGate gate) {
+  HoldMeter(LongSupplier allocated, HoldWatchdog watch, MemoryGate gate) {
     this.allocated = allocated;
     this.watch = watch;
     this.gate = gate;
