@@ -17,7 +17,7 @@ abstract class FrameAccess extends Node {
   /** The variables in the frame; there is room for them from now on. */
   protected static UrbiObject[] locals(Frame frame) {
     UrbiObject[] locals = frame.locals;
-    return locals == Frame.NO_ARGUMENTS ? room(frame) : locals;
+    return locals.length == 0 ? room(frame) : locals;
   }
 
   private static UrbiObject[] room(Frame frame) {

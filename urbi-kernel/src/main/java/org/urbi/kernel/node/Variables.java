@@ -116,7 +116,8 @@ public final class Variables {
       } else if (shared) {
         frame.cells[index] = new Cell(value);
       } else {
-        frame.locals[index] = value;
+        // A frame of compiled code, of which nobody needs to see variables, has no room before.
+        FrameAccess.locals(frame)[index] = value;
       }
     }
 
