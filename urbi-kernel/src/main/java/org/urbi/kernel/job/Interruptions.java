@@ -152,8 +152,8 @@ public final class Interruptions {
   }
 
   /**
-   * Whether there may be a request, or checks are being counted, for a recording or for the memory
-   * that is allocated. Code asks this in each turn of a loop, and at each call.
+   * Whether there may be a request, or checks are being counted, for a recording or because what
+   * the job takes is measured. Code asks this in each turn of a loop, and at each call.
    */
   public boolean arePending() {
     return wanted;

@@ -65,10 +65,7 @@ final class Entity implements AutoCloseable {
    */
   synchronized void use(Consumer<MemorySegment> action) {
     if (closed) return;
-    session.use(() -> {
-      action.accept(memory);
-      return memory;
-    });
+    session.use(() -> action.accept(memory));
   }
 
   /** Memory for bytes that the entity sends, for code that holds the lock of {@link #use}. */

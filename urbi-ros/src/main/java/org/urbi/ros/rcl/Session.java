@@ -143,6 +143,14 @@ final class Session implements AutoCloseable {
     }
   }
 
+  /** Like {@link #use(Supplier)}, for what has no result. */
+  void use(Runnable action) {
+    use(() -> {
+      action.run();
+      return this;
+    });
+  }
+
   /**
    * Makes or ends a part of the node, while nobody else does.
    *
@@ -153,7 +161,6 @@ final class Session implements AutoCloseable {
       parts.lock();
       try {
         action.run();
-        return parts;
       } finally {
         parts.unlock();
       }

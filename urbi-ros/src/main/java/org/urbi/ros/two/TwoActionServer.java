@@ -20,6 +20,8 @@ import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceServer;
 import org.urbi.ros.message.ActionType;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.Templates;
 import urbi.UDictionary;
 import urbi.UList;
@@ -45,7 +47,7 @@ final class TwoActionServer implements ActionServer {
   private final Map<UUID, ServedGoal> goals = new LinkedHashMap<>();
   private final Publisher feedback;
   private final Publisher status;
-  private final List<ServiceServer> services;
+  private final List<ServiceServer> services = new ArrayList<>();
   private int waiting;
   private boolean closed;
 
@@ -55,20 +57,25 @@ final class TwoActionServer implements ActionServer {
     this.type = type;
     this.handler = handler;
     results = MessageCodec.of(type.result());
-    TwoHost node = actions.node();
-    ServiceServer first =
-        node.serve(action + TwoActions.SEND_GOAL, type.sendGoal(), this::goalReceived);
-    services =
-        List.of(
-            first,
-            node.serve(action + TwoActions.CANCEL_GOAL, actions.cancelGoal(), this::cancelReceived),
-            node.serve(action + TwoActions.GET_RESULT, type.getResult(), this::resultWanted));
-    Publisher.Listener nobody = new Publisher.Listener() {};
-    feedback =
-        node.advertise(action + TwoActions.FEEDBACK, type.feedbackMessage(), Qos.DEFAULT, nobody);
-    status =
-        node.advertise(
-            action + TwoActions.STATUS, actions.statusArray(), TwoActions.STATUS_QOS, nobody);
+    // A goal may come as soon as a service is there, and what it leads to is published.
+    feedback = advertise(TwoActions.FEEDBACK, type.feedbackMessage(), Qos.DEFAULT);
+    status = advertise(TwoActions.STATUS, actions.statusArray(), TwoActions.STATUS_QOS);
+    try {
+      serve(TwoActions.SEND_GOAL, type.sendGoal(), this::goalReceived);
+      serve(TwoActions.CANCEL_GOAL, actions.cancelGoal(), this::cancelReceived);
+      serve(TwoActions.GET_RESULT, type.getResult(), this::resultWanted);
+    } catch (RuntimeException e) {
+      closeParts();
+      throw e;
+    }
+  }
+
+  private Publisher advertise(String part, MessageType what, Qos qos) {
+    return actions.node().advertise(action + part, what, qos, new Publisher.Listener() {});
+  }
+
+  private void serve(String part, ServiceType what, ServiceServer.Handler answers) {
+    services.add(actions.node().serve(action + part, what, answers));
   }
 
   @Override
@@ -183,6 +190,10 @@ final class TwoActionServer implements ActionServer {
       left = List.copyOf(goals.values());
     }
     left.forEach(each -> each.end(GoalStatus.ABORTED, Templates.of(type.result())));
+    closeParts();
+  }
+
+  private void closeParts() {
     services.forEach(ServiceServer::close);
     feedback.close();
     status.close();

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.UUID;
@@ -21,9 +22,11 @@ import org.urbi.ros.Awaited;
 import org.urbi.ros.graph.ActionClient;
 import org.urbi.ros.graph.ActionServer;
 import org.urbi.ros.graph.GoalStatus;
+import org.urbi.ros.graph.GraphSnapshot.TopicInfo;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
+import org.urbi.ros.graph.ServiceServer;
 import org.urbi.ros.message.ActionType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.Templates;
@@ -112,11 +115,9 @@ class ActionsTest {
   }
 
   private static boolean hearsFeedback(String other, Node node) {
-    return Awaited.value(node.graph())
-        .topics()
-        .get("/fibonacci/_action/feedback")
-        .subscribers()
-        .contains(other);
+    TopicInfo feedback =
+        Awaited.value(node.graph()).topics().get("/fibonacci" + TwoActions.FEEDBACK);
+    return feedback != null && feedback.subscribers().contains(other);
   }
 
   private static <T> String failure(CompletableFuture<T> promise) {
@@ -268,6 +269,37 @@ class ActionsTest {
       server.close();
       assertEquals(GoalStatus.ABORTED, Awaited.value(first.outcome()).status());
       assertEquals(GoalStatus.ABORTED, Awaited.value(second.outcome()).status());
+    }
+  }
+
+  /** The node, to whom a goal comes as soon as it offers to take some. */
+  private static TwoHost hurried(
+      TwoHost node, ActionType.Two type, BlockingQueue<UDictionary> answers) {
+    UDictionary request = Templates.of(type.sendGoal().request());
+    return (TwoHost)
+        Proxy.newProxyInstance(
+            TwoHost.class.getClassLoader(),
+            new Class<?>[] {TwoHost.class},
+            (proxy, method, arguments) -> {
+              if (method.getName().equals("serve")
+                  && ((String) arguments[0]).endsWith(TwoActions.SEND_GOAL)) {
+                ((ServiceServer.Handler) arguments[2]).answer(request).thenAccept(answers::add);
+              }
+              return method.invoke(node, arguments);
+            });
+  }
+
+  @Test
+  void aGoalThatComesAtOnce() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Node node = start(domain, "node")) {
+      ActionType.Two type = fibonacci(node);
+      BlockingQueue<UDictionary> answers = new LinkedBlockingQueue<>();
+      TwoActions actions = new TwoActions(hurried((TwoHost) node, type, answers), new byte[12]);
+      Goals goals = new Goals();
+      actions.serve("f", type, goals);
+      assertEquals(1, Awaited.next(answers).get("accepted").intValue());
+      Awaited.next(goals.accepted).end(GoalStatus.SUCCEEDED, sequence(1));
     }
   }
 
