@@ -36,15 +36,15 @@ final class Rounds {
     return stage != Stage.NONE;
   }
 
-  /** Begins the rounds of a tick. */
-  void begin() {
+  /**
+   * Begins the rounds of a tick.
+   *
+   * @param now what the clock says
+   */
+  void begin(long now) {
     stage = Stage.ALL;
-    beginRound(false);
-  }
-
-  private void beginRound(boolean last) {
     started.beginRound();
-    runnable.beginRound(last);
+    runnable.beginRound(now);
   }
 
   /** Gives the rounds of this tick up: jobs that are left have their turns in the next one. */
@@ -65,7 +65,8 @@ final class Rounds {
 
   /** Runs each job once that can run, although the loop has been stopped. */
   void runLast() {
-    beginRound(true);
+    started.beginRound();
+    runnable.beginWholeRound();
     runAll(true);
   }
 

@@ -305,16 +305,23 @@ class RunQueue {
   /**
    * Begins a round: of the jobs that are runnable now, and those which they start.
    *
-   * @param whole whether the round must not be cut short
+   * @param now what the clock says
    */
-  void beginRound(boolean whole) {
-    cuttable = !whole && clock.isReal();
+  void beginRound(long now) {
+    cuttable = clock.isReal();
+    roundBegan = now;
+    looked = now;
+    begin();
+  }
+
+  /** Begins a round that is not cut short. */
+  void beginWholeRound() {
+    cuttable = false;
+    begin();
+  }
+
+  private void begin() {
     jobs = 0;
-    if (cuttable) {
-      // Not the time of the tick: nobody is to blame for the messages that were taken since.
-      roundBegan = clock.now();
-      looked = roundBegan;
-    }
     last = null;
     fresh = 0;
     culprit = MACHINE;

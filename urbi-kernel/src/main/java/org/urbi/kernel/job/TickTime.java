@@ -29,6 +29,7 @@ public final class TickTime {
   private final boolean counted;
   private final CycleStatistics statistics = new CycleStatistics();
   private Runnable whenQuiet = () -> {};
+  private long read;
   private long now;
   private long before;
   private long cycle;
@@ -108,7 +109,13 @@ public final class TickTime {
       cycle++;
     }
     before = now;
-    now = Math.max(now, journal.tick(Math.max(now, clock.now())));
+    read = clock.now();
+    now = Math.max(now, journal.tick(Math.max(now, read)));
+  }
+
+  /** What the clock said when this tick began: not the time of the tick in a replay. */
+  long read() {
+    return read;
   }
 
   /** Runs what is due; where others wait meanwhile, as much as a tick has time for. */

@@ -69,7 +69,11 @@ class RunQueueTest {
   }
 
   private String round(long milliseconds, boolean whole) {
-    queue.beginRound(whole);
+    if (whole) {
+      queue.beginWholeRound();
+    } else {
+      queue.beginRound(clock.now());
+    }
     return rest(milliseconds);
   }
 
@@ -80,7 +84,7 @@ class RunQueueTest {
   }
 
   private void turns(long milliseconds, List<String> ran) {
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     turnsLeft(milliseconds, ran);
   }
 
@@ -112,7 +116,7 @@ class RunQueueTest {
   @Test
   void whoCanRunAgainWaitsForTheNextRound() {
     add("a1", "a2");
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     assertEquals("a1", names.get(queue.next()));
     add("a3");
     assertEquals("a2", rest(0));
@@ -122,7 +126,7 @@ class RunQueueTest {
   @Test
   void whoIsStartedInARoundRunsNext() {
     add("a1", "a2");
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     queue.next();
     queue.addToRound(job("b1"));
     queue.addToRound(job("c1"));
@@ -135,7 +139,7 @@ class RunQueueTest {
   void whoIsStartedInARoundThatIsCutShortRunsFirstInTheNext() {
     inbox.post(new Message.InputEnded(0));
     add("a1", "a2");
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     assertEquals("a1", names.get(queue.next()));
     queue.addToRound(job("a3"));
     clock.now += 5 * MILLISECOND;
@@ -145,7 +149,7 @@ class RunQueueTest {
 
   @Test
   void aRoundWithoutAnybodyIsOver() {
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     clock.now = Loop.SECOND;
     inbox.post(new Message.InputEnded(0));
     assertNull(queue.next());
@@ -180,14 +184,14 @@ class RunQueueTest {
   @Test
   void aSliceIsOverWhenItsTimeIs() {
     addMany("a", 8);
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     clock.now = 5 * MILLISECOND - 1;
     assertEquals(names("a", 1, 8), rest(0));
     // Those were slow, so these are looked at, and then no more.
     addMany("c", 8);
     assertEquals(names("c", 1, 8), round(0));
     addMany("b", 8);
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     clock.now += 5 * MILLISECOND;
     assertEquals(names("b", 1, 7), rest(0));
     assertFalse(queue.isEmpty());
@@ -198,7 +202,7 @@ class RunQueueTest {
   void newsAreAReasonToLookAtTheClockAtOnce() {
     inbox.post(new Message.InputEnded(0));
     addMany("a", 4);
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     clock.now = 4 * MILLISECOND;
     assertEquals("a1", rest(1));
     assertEquals("a2 a3 a4", round(0));
@@ -208,7 +212,7 @@ class RunQueueTest {
   @Test
   void slowJobsAreAReasonToLookAtTheClockEachTime() {
     addMany("a", 16);
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     for (int i = 0; i < 7; i++) {
       queue.next();
     }
@@ -282,7 +286,7 @@ class RunQueueTest {
   @Test
   void afterARushTheOrderIsThatOfTheLobbies() {
     rush();
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     assertEquals("b1", names.get(queue.next()));
     for (int i = 0; i < 23; i++) {
       queue.next();
@@ -304,7 +308,7 @@ class RunQueueTest {
     queue.addFirst(first);
     assertTrue(queue.hasAny(job -> job == known));
     assertTrue(queue.hasAny(job -> job == first));
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     for (int i = 0; i < 26; i++) {
       assertFalse(queue.isEmpty());
       queue.next();
@@ -323,7 +327,7 @@ class RunQueueTest {
   @Test
   void inARushWhoIsStartedRunsNextIfItIsOfTheSameLobby() {
     rush();
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     assertEquals("b1", names.get(queue.next()));
     queue.addToRound(job("a0"));
     queue.addToRound(job("b0"));
@@ -337,7 +341,7 @@ class RunQueueTest {
   void inARushReactionsOfAnotherLobbyKeepTheirOrder() {
     rush();
     add("b2");
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     assertEquals("b1", names.get(queue.next()));
     queue.addToRound(job("a31"));
     queue.addToRound(job("c1"));
@@ -364,7 +368,7 @@ class RunQueueTest {
     rush();
     Job late = job("c1");
     queue.add(late);
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     List<String> ran = new ArrayList<>();
     for (Job job = queue.next(); job != null; job = queue.next()) {
       ran.add(names.get(job));
@@ -379,10 +383,10 @@ class RunQueueTest {
   @Test
   void somebodyRunsInEveryRound() {
     add("a1", "b1");
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     clock.now += 100 * MILLISECOND;
     assertEquals("a1", rest(0));
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     clock.now += 100 * MILLISECOND;
     assertEquals("b1", rest(0));
   }
@@ -393,7 +397,7 @@ class RunQueueTest {
     add("a1", "b1", "c1", "x1", "d1");
     int firsts = 0;
     for (int i = 0; i < 50; i++) {
-      queue.beginRound(false);
+      queue.beginRound(clock.now());
       Job first = queue.next();
       Job away = null;
       for (Job job = first; job != null; job = queue.next()) {
@@ -414,7 +418,7 @@ class RunQueueTest {
   }
 
   private int countOfRound() {
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
     int count = 0;
     for (Job job = queue.next(); job != null; job = queue.next()) {
       count++;
@@ -433,7 +437,7 @@ class RunQueueTest {
       if (i == 100) {
         addLobbies('\u5e00', 50);
       }
-      queue.beginRound(false);
+      queue.beginRound(clock.now());
       for (Job job = queue.next(); job != null; job = queue.next()) {
         if (i >= 1000) {
           turns.merge(names.get(job), 1, Integer::sum);
@@ -478,7 +482,7 @@ class RunQueueTest {
     int before = known;
     int longest = 0;
     for (int i = 0; i < 2000; i++) {
-      queue.beginRound(false);
+      queue.beginRound(clock.now());
       for (Job job = queue.next(); job != null; job = queue.next()) {
         boolean little = names.get(job).equals("x1");
         if (little && i > known) {
@@ -501,7 +505,7 @@ class RunQueueTest {
     add("a1", "x1");
     for (int i = 0; i < 200; i++) {
       clock.now += 5 * MILLISECOND;
-      queue.beginRound(false);
+      queue.beginRound(clock.now());
       int turns = 0;
       for (Job job = queue.next(); job != null; job = queue.next()) {
         turns++;

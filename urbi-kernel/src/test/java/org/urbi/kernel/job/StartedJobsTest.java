@@ -53,7 +53,7 @@ class StartedJobsTest {
 
   private void beginRound() {
     started.beginRound();
-    queue.beginRound(false);
+    queue.beginRound(clock.now());
   }
 
   private String rest() {
