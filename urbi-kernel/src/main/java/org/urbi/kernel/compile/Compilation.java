@@ -113,7 +113,11 @@ public final class Compilation {
   }
 
   Node[] all(List<Ast> asts, LexicalScope block) {
-    return asts.stream().map(ast -> operand(ast, block)).toArray(Node[]::new);
+    Node[] nodes = new Node[asts.size()];
+    for (int i = 0; i < nodes.length; i++) {
+      nodes[i] = operand(asts.get(i), block);
+    }
+    return nodes;
   }
 
   /** The imports of the top level. */

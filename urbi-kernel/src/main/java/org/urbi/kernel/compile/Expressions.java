@@ -134,15 +134,15 @@ final class Expressions {
    */
   private Node[] all(Ast.Message message, List<Ast> arguments, LexicalScope block) {
     boolean operator = isOperator(message.name());
-    return arguments.stream()
-        .map(argument -> {
-          boolean job = !operator && isStatement(argument);
-          Node code = operand(argument, job ? block.job(compilation.newRegion()) : block);
-          return argument instanceof Ast.Scope
-              ? new Sequences.Located(argument.span(), code)
-              : code;
-        })
-        .toArray(Node[]::new);
+    Node[] nodes = new Node[arguments.size()];
+    for (int i = 0; i < nodes.length; i++) {
+      Ast argument = arguments.get(i);
+      boolean job = !operator && isStatement(argument);
+      Node code = operand(argument, job ? block.job(compilation.newRegion()) : block);
+      nodes[i] =
+          argument instanceof Ast.Scope ? new Sequences.Located(argument.span(), code) : code;
+    }
+    return nodes;
   }
 
   /**

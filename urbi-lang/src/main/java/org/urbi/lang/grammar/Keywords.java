@@ -70,7 +70,29 @@ public final class Keywords {
   private static final Set<String> FLAVORED =
       Set.of("at", "every", "for", "foreach", "loop", "loopn", "while");
 
+  /** What can follow the first character of a word, which a digit cannot be. */
+  static final boolean[] IN_WORD = new boolean[128];
+
+  static {
+    for (char c = 0; c < IN_WORD.length; c++) {
+      IN_WORD[c] = startsWord(c) || isDigit(c);
+    }
+  }
+
   private Keywords() {}
+
+  static boolean startsWord(char c) {
+    return 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || c == '_';
+  }
+
+  static boolean isDigit(char c) {
+    return '0' <= c && c <= '9';
+  }
+
+  /** Whether a word can go on with that character. */
+  public static boolean isInWord(char c) {
+    return c < IN_WORD.length && IN_WORD[c];
+  }
 
   /** The words of the grammar, and other spellings. */
   private static Map<String, Integer> tokens() {

@@ -19,15 +19,6 @@ public final class QuickTokens {
   /** What each word is that is not a plain name. */
   private static final Map<String, Integer> WORDS = words();
 
-  /** What can follow the beginning of a word, which a digit cannot be. */
-  private static final boolean[] IN_WORD = new boolean[128];
-
-  static {
-    for (char c = 0; c < IN_WORD.length; c++) {
-      IN_WORD[c] = startsWord(c) || isDigit(c);
-    }
-  }
-
   private final String text;
 
   /** The part that is read: to ask the text for each character would take an interpreter longer. */
@@ -172,9 +163,9 @@ public final class QuickTokens {
   }
 
   private void next(char c) {
-    if (startsWord(c)) {
+    if (Keywords.startsWord(c)) {
       word();
-    } else if (isDigit(c)) {
+    } else if (Keywords.isDigit(c)) {
       number();
     } else if (c == '"') {
       quoted('"', UrbiscriptLexer.STRING);
@@ -185,17 +176,9 @@ public final class QuickTokens {
     }
   }
 
-  private static boolean startsWord(char c) {
-    return 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || c == '_';
-  }
-
-  private static boolean isDigit(char c) {
-    return '0' <= c && c <= '9';
-  }
-
   private int endOfWord(int from) {
     int end = from;
-    while (end < last && characters[end] < IN_WORD.length && IN_WORD[characters[end]]) {
+    while (end < last && Keywords.isInWord(characters[end])) {
       end++;
     }
     return end;
@@ -211,14 +194,14 @@ public final class QuickTokens {
 
   private int endOfDigits(int from) {
     int end = from;
-    while (end < last && (isDigit(characters[end]) || characters[end] == '_')) {
+    while (end < last && (Keywords.isDigit(characters[end]) || characters[end] == '_')) {
       end++;
     }
     return end;
   }
 
   private boolean digitAt(int offset) {
-    return offset < last && isDigit(characters[offset]);
+    return offset < last && Keywords.isDigit(characters[offset]);
   }
 
   private void number() {
@@ -247,7 +230,7 @@ public final class QuickTokens {
   private boolean smallNumber() {
     int end = at;
     long value = 0;
-    while (end < last && isDigit(characters[end])) {
+    while (end < last && Keywords.isDigit(characters[end])) {
       value = 10 * value + characters[end++] - '0';
     }
     if (end - at > EXACT_DIGITS || is(end, '.') || endOfWord(end) > end) {

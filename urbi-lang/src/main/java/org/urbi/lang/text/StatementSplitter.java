@@ -107,6 +107,10 @@ public final class StatementSplitter {
     int at = from;
     while (at < to) {
       char c = text.charAt(at);
+      if (isWithin(c)) {
+        at++;
+        continue;
+      }
       offset = at - base;
       if (step(c)) {
         at++;
@@ -133,6 +137,24 @@ public final class StatementSplitter {
   }
 
   /**
+   * Processes a character that only continues what most characters are in, and does so in few
+   * steps, which counts while a process is young. False if it may be another one: nothing has
+   * happened then.
+   */
+  private boolean isWithin(char c) {
+    if (state == State.WORD) {
+      if (!Keywords.isInWord(c)) {
+        return false;
+      }
+      if (collected.length() < LONGEST_WORD) {
+        collected.append(c);
+      }
+      return true;
+    }
+    return c == ' ' && state == State.CODE;
+  }
+
+  /**
    * Processes a character; false if it only ended the token before it, and must be processed again.
    */
   private boolean step(char c) {
@@ -142,7 +164,7 @@ public final class StatementSplitter {
         return word(c);
       }
       case NUMBER -> {
-        if (!wordCharacter(c)) {
+        if (!Keywords.isInWord(c)) {
           state = State.CODE;
           return false;
         }
@@ -183,7 +205,7 @@ public final class StatementSplitter {
     if (c <= ' ') {
       return;
     }
-    if (wordCharacter(c)) {
+    if (Keywords.isInWord(c)) {
       blank = false;
       flavorMayFollow = false;
       inside = Brackets.Kind.VALUES;
@@ -235,29 +257,21 @@ public final class StatementSplitter {
     }
   }
 
+  /** A word is over. */
   private boolean word(char c) {
-    if (wordCharacter(c)) {
-      if (collected.length() < LONGEST_WORD) {
-        collected.append(c);
-      }
-      return true;
-    }
     String word = collected.toString();
     state = State.CODE;
-    if (word.equals("BIN")) {
-      binary = new BinaryScanner();
-      state = State.BINARY_HEADER;
-    } else if (word.equals("class") || word.equals("package")) {
-      inClassHead |= brackets.isEmpty();
-    } else {
-      flavorMayFollow = Keywords.flavored(word);
-      inside =
-          switch (word) {
-            case "for" -> Brackets.Kind.CLAUSES;
-            case "if", "while", "switch" -> Brackets.Kind.STATEMENTS;
-            default -> Brackets.Kind.VALUES;
-          };
+    switch (word) {
+      case "BIN" -> {
+        binary = new BinaryScanner();
+        state = State.BINARY_HEADER;
+      }
+      case "class", "package" -> inClassHead |= brackets.isEmpty();
+      case "for" -> inside = Brackets.Kind.CLAUSES;
+      case "if", "while", "switch" -> inside = Brackets.Kind.STATEMENTS;
+      default -> {}
     }
+    flavorMayFollow = Keywords.flavored(word);
     // A quote directly behind a name does not open a quoted name.
     if (c == '\'' && !Keywords.keyword(word)) {
       state = State.DERIVED;
@@ -342,9 +356,5 @@ public final class StatementSplitter {
       state = State.CODE;
       separator = brackets.isEmpty() ? Flavor.SEMICOLON : null;
     }
-  }
-
-  private static boolean wordCharacter(char c) {
-    return 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || '0' <= c && c <= '9' || c == '_';
   }
 }
