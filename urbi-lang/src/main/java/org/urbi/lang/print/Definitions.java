@@ -1,72 +1,109 @@
 package org.urbi.lang.print;
 
 import java.util.List;
-import java.util.stream.Collectors;
 import org.urbi.lang.ast.Ast;
 
 /** Prints definitions of functions, classes and the like. */
 final class Definitions {
   private Definitions() {}
 
-  static String function(Ast.FunctionDefinition definition) {
-    Ast.Function function = definition.function();
-    String keyword = function.closure() ? "closure " : "function ";
-    return keyword + named(definition.name(), function);
+  static void function(Ast.FunctionDefinition definition, PrintedCode to) {
+    to.add(definition.function().closure() ? "closure " : "function ");
+    named(definition.name(), definition.function(), to);
   }
 
-  static String accessor(Ast.Accessor accessor) {
-    String keyword = accessor.setter() ? "set " : "get ";
-    return keyword + named(accessor.name(), accessor.function());
+  static void accessor(Ast.Accessor accessor, PrintedCode to) {
+    to.add(accessor.setter() ? "set " : "get ");
+    named(accessor.name(), accessor.function(), to);
   }
 
-  private static String named(Ast.Message name, Ast.Function function) {
-    String formals = function.formals() == null ? "" : formals(function.formals());
-    return Expressions.expression(name) + formals + " " + Statements.scope(function.body());
+  private static void named(Ast.Message name, Ast.Function function, PrintedCode to) {
+    Expressions.message(name, to);
+    if (function.formals() != null) {
+      formals(function.formals(), to);
+    }
+    to.add(' ');
+    Statements.scope(function.body(), to);
   }
 
-  static String formals(List<Ast.Formal> formals) {
-    return "(" + Expressions.join(formals, Definitions::formal) + ")";
+  static void formals(List<Ast.Formal> formals, PrintedCode to) {
+    to.add('(');
+    for (int i = 0; i < formals.size(); i++) {
+      if (i > 0) {
+        to.add(", ");
+      }
+      formal(formals.get(i), to);
+    }
+    to.add(')');
   }
 
-  private static String formal(Ast.Formal formal) {
-    return "var "
-        + StringEscape.name(formal.name())
-        + (formal.variadic() ? "[]" : "")
-        + (formal.type() == null ? "" : " : " + Expressions.primary(formal.type()))
-        + (formal.defaultValue() == null
-            ? ""
-            : " = " + Expressions.expression(formal.defaultValue()));
+  private static void formal(Ast.Formal formal, PrintedCode to) {
+    to.add("var ");
+    to.name(formal.name());
+    if (formal.variadic()) {
+      to.add("[]");
+    }
+    if (formal.type() != null) {
+      to.add(" : ");
+      Expressions.primary(formal.type(), to);
+    }
+    if (formal.defaultValue() != null) {
+      to.add(" = ");
+      Expressions.expression(formal.defaultValue(), to);
+    }
   }
 
-  static String classDefinition(Ast.ClassDefinition definition) {
-    var text = new StringBuilder("class ").append(Expressions.expression(definition.name()));
+  static void classDefinition(Ast.ClassDefinition definition, PrintedCode to) {
+    to.add("class ");
+    Expressions.message(definition.name(), to);
     if (!definition.protos().isEmpty()) {
-      text.append(": ").append(Expressions.values(definition.protos()));
+      to.add(": ");
+      Expressions.values(definition.protos(), to);
     }
     if (definition.body() != null) {
-      text.append('\n').append(Statements.block(definition.body()));
+      to.line();
+      Statements.block(definition.body(), to);
     }
-    return text.toString();
   }
 
-  static String packageDefinition(Ast.PackageDefinition definition) {
-    String name = Expressions.expression(definition.name());
-    return "package " + name + "\n" + Statements.block(definition.body());
+  static void packageDefinition(Ast.PackageDefinition definition, PrintedCode to) {
+    to.add("package ");
+    Expressions.message(definition.name(), to);
+    to.line();
+    Statements.block(definition.body(), to);
   }
 
-  static String enumDefinition(Ast.EnumDefinition definition) {
-    return definition.values().stream()
-        .map(value -> "\n  " + StringEscape.name(value) + ",")
-        .collect(
-            Collectors.joining(
-                "", "enum " + Expressions.expression(definition.name()) + "\n{", "\n}"));
+  static void enumDefinition(Ast.EnumDefinition definition, PrintedCode to) {
+    to.add("enum ");
+    Expressions.message(definition.name(), to);
+    to.line();
+    to.add('{');
+    to.more();
+    for (String value : definition.values()) {
+      to.line();
+      to.name(value);
+      to.add(',');
+    }
+    to.less();
+    to.line();
+    to.add('}');
   }
 
-  static String importStatement(Ast.Import statement) {
-    String path =
-        statement.path().stream()
-            .map(name -> name.equals("this") ? name : StringEscape.name(name))
-            .collect(Collectors.joining("."));
-    return "import " + path + (statement.all() ? ".*" : "");
+  static void importStatement(Ast.Import statement, PrintedCode to) {
+    to.add("import ");
+    List<String> path = statement.path();
+    for (int i = 0; i < path.size(); i++) {
+      if (i > 0) {
+        to.add('.');
+      }
+      if (path.get(i).equals("this")) {
+        to.add("this");
+      } else {
+        to.name(path.get(i));
+      }
+    }
+    if (statement.all()) {
+      to.add(".*");
+    }
   }
 }

@@ -1,9 +1,6 @@
 package org.urbi.lang.print;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.List;
-import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 
@@ -12,159 +9,245 @@ final class Expressions {
   private Expressions() {}
 
   /** An expression of any precedence; a statement goes between braces. */
-  static String expression(Ast tree) {
-    NodePrinters.Form form = NodePrinters.of(tree);
-    return form.binding() == NodePrinters.Binding.STATEMENT
-        ? Statements.clause(tree)
-        : form.text().get();
-  }
-
-  static String list(List<Ast> elements) {
-    return "[" + values(elements) + "]";
-  }
-
-  static String and(Ast.And and) {
-    return conjunct(and.left()) + " && " + primary(and.right());
-  }
-
-  static String or(Ast.Or or) {
-    return disjunct(or.left()) + " || " + conjunct(or.right());
-  }
-
-  static String slot(Ast.SlotAccess slot) {
-    return target(slot.target(), ".") + "&" + StringEscape.name(slot.name());
-  }
-
-  static String property(Ast.Property property) {
-    return target(property.target(), ".")
-        + StringEscape.name(property.slot())
-        + "->"
-        + StringEscape.name(property.name());
-  }
-
-  static String assign(Ast target, String operator, Ast value) {
-    return lvalue(target) + " " + operator + " " + expression(value);
-  }
-
-  static String watch(Ast.Watch watch) {
-    return "watch(" + expression(watch.expression()) + ")";
-  }
-
-  static String values(List<Ast> values) {
-    var text = new StringBuilder();
-    for (Ast value : values) {
-      text.append(text.isEmpty() ? "" : ", ").append(expression(value));
+  static void expression(Ast tree, PrintedCode to) {
+    if (tree instanceof Ast.Message message) {
+      message(message, to);
+    } else if (Binding.of(tree) == Binding.STATEMENT) {
+      Statements.clause(tree, to);
+    } else {
+      tree.accept(to);
     }
-    return text.toString();
-  }
-
-  static <T> String join(List<T> parts, Function<T, String> print) {
-    var text = new StringBuilder();
-    for (T part : parts) {
-      text.append(text.isEmpty() ? "" : ", ").append(print.apply(part));
-    }
-    return text.toString();
-  }
-
-  static String arguments(@Nullable List<Ast> arguments) {
-    return arguments == null ? "" : "(" + values(arguments) + ")";
-  }
-
-  static String tuple(List<Ast> elements) {
-    return "(" + values(elements) + (elements.size() == 1 ? ",)" : ")");
-  }
-
-  static String dictionary(List<Ast.Entry> entries) {
-    if (entries.isEmpty()) {
-      return "[ => ]";
-    }
-    var text = new StringBuilder("[\n");
-    for (Ast.Entry entry : entries) {
-      String line = expression(entry.key()) + " => " + expression(entry.value()) + ",";
-      text.append(Printer.indent(line)).append('\n');
-    }
-    return text.append(']').toString();
-  }
-
-  static String message(Ast.Message message) {
-    // Chains are longer than anything else: they are followed without recursion.
-    Deque<Ast.Message> chain = new ArrayDeque<>();
-    Ast target = message;
-    while (target instanceof Ast.Message link) {
-      chain.push(link);
-      target = link.target();
-    }
-    var text = new StringBuilder(target == null ? "" : primary(target) + ".");
-    while (!chain.isEmpty()) {
-      Ast.Message link = chain.pop();
-      text.append(StringEscape.name(link.name())).append(arguments(link.arguments()));
-      text.append(chain.isEmpty() ? "" : ".");
-    }
-    return text.toString();
-  }
-
-  /** What a message is sent to, and what separates them; nothing for an implicit target. */
-  private static String target(@Nullable Ast tree, String separator) {
-    return tree == null ? "" : primary(tree) + separator;
   }
 
   /** What binds at least as tight as a message. */
-  static String primary(Ast tree) {
-    boolean loose = NodePrinters.of(tree).binding() == NodePrinters.Binding.LOOSE;
-    return loose ? "(" + expression(tree) + ")" : expression(tree);
+  static void primary(Ast tree, PrintedCode to) {
+    if (tree instanceof Ast.Message message) {
+      message(message, to);
+      return;
+    }
+    Binding binding = Binding.of(tree);
+    if (binding == Binding.STATEMENT) {
+      Statements.clause(tree, to);
+    } else if (binding == Binding.TIGHT) {
+      tree.accept(to);
+    } else {
+      to.add('(');
+      tree.accept(to);
+      to.add(')');
+    }
   }
 
-  private static String conjunct(Ast tree) {
-    return tree instanceof Ast.And ? expression(tree) : primary(tree);
+  static void list(List<Ast> elements, PrintedCode to) {
+    to.add('[');
+    values(elements, to);
+    to.add(']');
   }
 
-  private static String disjunct(Ast tree) {
-    return tree instanceof Ast.Or ? expression(tree) : conjunct(tree);
+  static void and(Ast.And and, PrintedCode to) {
+    conjunct(and.left(), to);
+    to.add(" && ");
+    primary(and.right(), to);
+  }
+
+  static void or(Ast.Or or, PrintedCode to) {
+    disjunct(or.left(), to);
+    to.add(" || ");
+    conjunct(or.right(), to);
+  }
+
+  private static void conjunct(Ast tree, PrintedCode to) {
+    if (tree instanceof Ast.And) {
+      tree.accept(to);
+    } else {
+      primary(tree, to);
+    }
+  }
+
+  private static void disjunct(Ast tree, PrintedCode to) {
+    if (tree instanceof Ast.Or) {
+      tree.accept(to);
+    } else {
+      conjunct(tree, to);
+    }
+  }
+
+  static void slot(Ast.SlotAccess slot, PrintedCode to) {
+    target(slot.target(), to);
+    to.add('&');
+    to.name(slot.name());
+  }
+
+  static void property(Ast.Property property, PrintedCode to) {
+    target(property.target(), to);
+    to.name(property.slot());
+    to.add("->");
+    to.name(property.name());
+  }
+
+  static void assign(Ast target, String operator, Ast value, PrintedCode to) {
+    lvalue(target, to);
+    to.add(' ');
+    to.add(operator);
+    to.add(' ');
+    expression(value, to);
+  }
+
+  static void postfix(Ast.Postfix postfix, PrintedCode to) {
+    lvalue(postfix.target(), to);
+    to.add(postfix.operator());
+  }
+
+  static void watch(Ast.Watch watch, PrintedCode to) {
+    to.add("watch(");
+    expression(watch.expression(), to);
+    to.add(')');
+  }
+
+  static void values(List<Ast> values, PrintedCode to) {
+    for (int i = 0; i < values.size(); i++) {
+      if (i > 0) {
+        to.add(", ");
+      }
+      expression(values.get(i), to);
+    }
+  }
+
+  static void arguments(@Nullable List<Ast> arguments, PrintedCode to) {
+    if (arguments != null) {
+      to.add('(');
+      values(arguments, to);
+      to.add(')');
+    }
+  }
+
+  static void tuple(List<Ast> elements, PrintedCode to) {
+    to.add('(');
+    values(elements, to);
+    to.add(elements.size() == 1 ? ",)" : ")");
+  }
+
+  static void dictionary(List<Ast.Entry> entries, PrintedCode to) {
+    if (entries.isEmpty()) {
+      to.add("[ => ]");
+      return;
+    }
+    to.add('[');
+    to.more();
+    for (int i = 0; i < entries.size(); i++) {
+      to.line();
+      expression(entries.get(i).key(), to);
+      to.add(" => ");
+      expression(entries.get(i).value(), to);
+      to.add(',');
+    }
+    to.less();
+    to.line();
+    to.add(']');
+  }
+
+  static void message(Ast.Message message, PrintedCode to) {
+    if (message.target() instanceof Ast.Message) {
+      chain(message, to);
+    } else {
+      target(message.target(), to);
+      call(message, to);
+    }
+  }
+
+  /** Chains are longer than anything else: they are followed without recursion. */
+  private static void chain(Ast.Message last, PrintedCode to) {
+    int length = 0;
+    Ast target = last;
+    while (target instanceof Ast.Message link) {
+      length++;
+      target = link.target();
+    }
+    var chain = new Ast.Message[length];
+    Ast next = last;
+    while (next instanceof Ast.Message link) {
+      length--;
+      chain[length] = link;
+      next = link.target();
+    }
+    target(target, to);
+    for (int i = 0; i < chain.length; i++) {
+      if (i > 0) {
+        to.add('.');
+      }
+      call(chain[i], to);
+    }
+  }
+
+  /** A message without its target. */
+  private static void call(Ast.Message message, PrintedCode to) {
+    to.name(message.name());
+    arguments(message.arguments(), to);
+  }
+
+  /** What a message is sent to, and what separates them; nothing for an implicit target. */
+  private static void target(@Nullable Ast tree, PrintedCode to) {
+    if (tree != null) {
+      primary(tree, to);
+      to.add('.');
+    }
   }
 
   /** What may be assigned to: a subscript is written as one there. */
-  static String lvalue(Ast tree) {
+  static void lvalue(Ast tree, PrintedCode to) {
     if (tree instanceof Ast.Message message
-        && message.name().equals("[]")
         && message.target() != null
-        && message.arguments() != null) {
-      return primary(message.target()) + "[" + values(message.arguments()) + "]";
+        && message.arguments() != null
+        && message.name().equals("[]")) {
+      primary(message.target(), to);
+      list(message.arguments(), to);
+    } else if (tree instanceof Ast.Declaration) {
+      tree.accept(to);
+    } else {
+      primary(tree, to);
     }
-    return tree instanceof Ast.Declaration ? expression(tree) : primary(tree);
   }
 
-  static String declaration(Ast.Declaration declaration) {
-    return (declaration.constant() ? "const var " : "var ")
-        + target(declaration.target(), ".")
-        + StringEscape.name(declaration.name())
-        + (declaration.type() == null ? "" : " : " + primary(declaration.type()))
-        + (declaration.value() == null ? "" : " = " + expression(declaration.value()));
+  static void declaration(Ast.Declaration declaration, PrintedCode to) {
+    to.add(declaration.constant() ? "const var " : "var ");
+    target(declaration.target(), to);
+    to.name(declaration.name());
+    if (declaration.type() != null) {
+      to.add(" : ");
+      primary(declaration.type(), to);
+    }
+    if (declaration.value() != null) {
+      to.add(" = ");
+      expression(declaration.value(), to);
+    }
   }
 
-  static String trajectory(Ast.Trajectory trajectory) {
-    var text = new StringBuilder(lvalue(trajectory.target())).append(" =");
-    if (trajectory.value() != null) {
-      boolean greedy =
-          trajectory.value() instanceof Ast.Assignment
-              || trajectory.value() instanceof Ast.Trajectory;
-      String value = expression(trajectory.value());
-      text.append(greedy ? " (" + value + ")" : " " + value);
+  static void trajectory(Ast.Trajectory trajectory, PrintedCode to) {
+    lvalue(trajectory.target(), to);
+    to.add(" =");
+    Ast value = trajectory.value();
+    if (value instanceof Ast.Assignment || value instanceof Ast.Trajectory) {
+      // It would take the modifiers for its own.
+      to.add(" (");
+      value.accept(to);
+      to.add(')');
+    } else if (value != null) {
+      to.add(' ');
+      expression(value, to);
     }
     for (Ast.Modifier modifier : trajectory.modifiers()) {
-      String value = disjunct(modifier.value());
-      text.append(' ').append(StringEscape.name(modifier.name())).append(": ").append(value);
+      to.add(' ');
+      to.name(modifier.name());
+      to.add(": ");
+      disjunct(modifier.value(), to);
     }
-    return text.toString();
   }
 
-  static String function(Ast.Function function) {
-    String formals =
-        function.formals() == null ? "" : Definitions.formals(function.formals()) + " ";
-    String keyword = function.closure() ? "closure " : "function ";
-    return keyword + formals + Statements.scope(function.body());
-  }
-
-  static String emission(Ast.Emit emit) {
-    return primary(emit.event()) + "!" + arguments(emit.arguments());
+  static void function(Ast.Function function, PrintedCode to) {
+    to.add(function.closure() ? "closure " : "function ");
+    if (function.formals() != null) {
+      Definitions.formals(function.formals(), to);
+      to.add(' ');
+    }
+    Statements.scope(function.body(), to);
   }
 }

@@ -13,16 +13,15 @@ public final class Printer {
 
   /** The code of any tree; lines are separated by line feeds, the last has none. */
   public static String print(Ast tree) {
-    return Statements.statement(tree);
+    var code = new PrintedCode();
+    tree.accept(code);
+    return code.toString();
   }
 
   /** A function without its formal arguments and its braces. */
   public static String printBody(Ast.Scope scope) {
-    return Statements.lines(scope.body());
-  }
-
-  /** Every line two spaces further. */
-  static String indent(String lines) {
-    return "  " + lines.replace("\n", "\n  ");
+    var code = new PrintedCode();
+    Statements.lines(scope.body(), code);
+    return code.toString();
   }
 }

@@ -9,233 +9,319 @@ import org.urbi.lang.ast.Ast.Flavor;
 final class Statements {
   private Statements() {}
 
-  static String statement(Ast tree) {
-    return NodePrinters.of(tree).text().get();
-  }
-
-  static String conditional(Ast.If choice) {
-    return "if ("
-        + statement(choice.condition())
-        + ")\n"
-        + clause(choice.thenClause())
-        + optional("else", choice.elseClause());
-  }
-
-  static String conditional(String keyword, Ast.Condition condition, Ast body) {
-    return keyword + " " + Events.condition(condition) + "\n" + clause(body);
-  }
-
-  static String loop(Ast.While loop) {
-    return loop("while", loop.flavor(), "(" + statement(loop.condition()) + ")", loop.body());
-  }
-
-  static String loop(Ast.Loop loop) {
-    return "loop" + flavor(loop.flavor(), Flavor.SEMICOLON) + "\n" + clause(loop.body());
-  }
-
-  static String tagged(Ast.Tagged tagged) {
-    return Expressions.expression(tagged.tag()) + ": " + nonempty(tagged.body());
-  }
-
-  static String timeout(Ast.Timeout timeout) {
-    return "timeout ("
-        + Expressions.expression(timeout.duration())
-        + ")\n"
-        + clause(timeout.body());
-  }
-
   // ------------------------------------------------------------------------------ composition
 
-  static String sequence(Ast.Sequence sequence) {
+  static void sequence(Ast.Sequence sequence, PrintedCode to) {
     List<Ast> statements = sequence.statements();
     List<Flavor> separators = sequence.separators();
-    var text = new StringBuilder();
+    Flavor context = separators.isEmpty() ? Flavor.SEMICOLON : separators.get(0);
     for (int i = 0; i < statements.size(); i++) {
-      Flavor separator = i < separators.size() ? separators.get(i) : null;
-      Flavor context = separators.isEmpty() ? Flavor.SEMICOLON : separators.get(0);
-      text.append(part(statements.get(i), context));
-      if (separator == Flavor.PIPE || separator == Flavor.AND) {
-        text.append(' ').append(separator.text()).append(' ');
-      } else if (separator != null) {
-        text.append(separator.text()).append(i + 1 < statements.size() ? " " : "");
+      part(statements.get(i), context, to);
+      if (i < separators.size()) {
+        Flavor separator = separators.get(i);
+        boolean spaced = strength(separator) > 0;
+        if (spaced) {
+          to.add(' ');
+        }
+        to.add(separator.text());
+        if (spaced || i + 1 < statements.size()) {
+          to.add(' ');
+        }
       }
     }
-    return text.toString();
   }
 
   /** A statement in a sequence: one that binds looser goes between braces. */
-  private static String part(Ast statement, Flavor context) {
-    boolean tight =
-        !(statement instanceof Ast.Sequence inner)
-            || !inner.separators().isEmpty()
-                && strength(inner.separators().get(0)) > strength(context);
-    boolean missing =
-        statement instanceof Ast.Noop && (context == Flavor.PIPE || context == Flavor.AND);
-    return tight && !missing ? statement(statement) : clause(statement);
+  private static void part(Ast statement, Flavor context, PrintedCode to) {
+    boolean loose =
+        statement instanceof Ast.Sequence inner
+            ? inner.separators().isEmpty()
+                || strength(inner.separators().get(0)) <= strength(context)
+            : statement instanceof Ast.Noop && strength(context) > 0;
+    if (loose) {
+      clause(statement, to);
+    } else {
+      statement.accept(to);
+    }
   }
 
+  /** How tight a separator binds. It is no {@code switch}, which would need a class of its own. */
   private static int strength(Flavor separator) {
-    return switch (separator) {
-      case SEMICOLON, COMMA -> 0;
-      case PIPE -> 1;
-      case AND -> 2;
-    };
+    return separator == Flavor.AND ? 2 : separator == Flavor.PIPE ? 1 : 0;
   }
 
   /** The statements of a body, each on its line unless there is only one. */
-  static String lines(Ast.Sequence sequence) {
+  static void lines(Ast.Sequence sequence, PrintedCode to) {
     List<Ast> statements = sequence.statements();
+    List<Flavor> separators = sequence.separators();
     if (statements.size() == 1) {
-      boolean background =
-          !sequence.separators().isEmpty() && sequence.separators().get(0) == Flavor.COMMA;
-      return part(statements.get(0), Flavor.SEMICOLON) + (background ? "," : "");
+      part(statements.get(0), Flavor.SEMICOLON, to);
+      if (!separators.isEmpty() && separators.get(0) == Flavor.COMMA) {
+        to.add(',');
+      }
+      return;
     }
-    boolean tight = !sequence.separators().isEmpty() && strength(sequence.separators().get(0)) > 0;
-    if (tight) {
-      return sequence(sequence);
+    if (!separators.isEmpty() && strength(separators.get(0)) > 0) {
+      sequence(sequence, to);
+      return;
     }
-    var text = new StringBuilder();
     for (int i = 0; i < statements.size(); i++) {
-      text.append(i == 0 ? "" : "\n").append(part(statements.get(i), Flavor.SEMICOLON));
-      if (i < sequence.separators().size()) {
-        text.append(sequence.separators().get(i).text());
+      if (i > 0) {
+        to.line();
+      }
+      part(statements.get(i), Flavor.SEMICOLON, to);
+      if (i < separators.size()) {
+        to.add(separators.get(i).text());
       }
     }
-    return text.toString();
   }
 
-  static String scope(Ast.Scope scope) {
-    String lines = lines(scope.body());
-    if (lines.isEmpty()) {
-      return "{}";
-    }
-    boolean single = scope.body().statements().size() == 1 && lines.indexOf('\n') < 0;
-    return single ? "{ " + lines + " }" : "{\n" + Printer.indent(lines) + "\n}";
+  static void scope(Ast.Scope scope, PrintedCode to) {
+    Ast.Sequence body = scope.body();
+    to.add('{');
+    int begin = to.indent();
+    int lines = to.lines();
+    lines(body, to);
+    close(begin, body.statements().size() == 1 && to.lines() == lines, to);
   }
 
   /** A scope that never fits on one line. */
-  static String block(Ast.Scope scope) {
-    String lines = lines(scope.body());
-    return lines.isEmpty() ? "{}" : "{\n" + Printer.indent(lines) + "\n}";
+  static void block(Ast.Scope scope, PrintedCode to) {
+    to.add('{');
+    int begin = to.indent();
+    lines(scope.body(), to);
+    close(begin, false, to);
   }
 
-  /** What a control structure governs: always between braces. */
-  static String clause(Ast body) {
+  /** What needs braces, or is a scope already. */
+  static void clause(Ast body, PrintedCode to) {
     if (body instanceof Ast.Scope scope) {
-      return scope(scope);
+      scope(scope, to);
+      return;
     }
-    String text = statement(body);
-    if (text.isEmpty()) {
-      return "{}";
+    to.add('{');
+    int begin = to.indent();
+    int lines = to.lines();
+    body.accept(to);
+    close(begin, to.lines() == lines, to);
+  }
+
+  /** Ends what was written between braces: on lines of its own, or on one with the braces. */
+  private static void close(int begin, boolean single, PrintedCode to) {
+    if (!to.outdent(begin)) {
+      to.add('}');
+    } else if (single) {
+      to.join(begin);
+      to.add(" }");
+    } else {
+      to.line();
+      to.add('}');
     }
-    return text.indexOf('\n') < 0 ? "{ " + text + " }" : "{\n" + Printer.indent(text) + "\n}";
   }
 
-  private static String nonempty(Ast body) {
-    return body instanceof Ast.Noop || body instanceof Ast.Sequence
-        ? clause(body)
-        : statement(body);
+  /** What a control structure governs: always between braces, on the next line. */
+  static void governed(Ast body, PrintedCode to) {
+    to.line();
+    clause(body, to);
   }
 
-  static String optional(String keyword, @Nullable Ast body) {
-    return body == null ? "" : "\n" + keyword + "\n" + clause(body);
+  static void optional(String keyword, @Nullable Ast body, PrintedCode to) {
+    if (body != null) {
+      to.line();
+      to.add(keyword);
+      governed(body, to);
+    }
   }
 
-  static String value(@Nullable Ast value) {
-    return value == null ? "" : " " + Expressions.expression(value);
+  // ------------------------------------------------------------------------------ loops
+
+  /** The beginning of a loop, with its flavor unless that is the usual one. */
+  private static void keyword(String keyword, Flavor flavor, Flavor usual, PrintedCode to) {
+    to.add(keyword);
+    if (flavor != usual) {
+      to.add(flavor.text());
+    }
+  }
+
+  static void loop(Ast.Loop loop, PrintedCode to) {
+    keyword("loop", loop.flavor(), Flavor.SEMICOLON, to);
+    governed(loop.body(), to);
+  }
+
+  static void loop(Ast.While loop, PrintedCode to) {
+    keyword("while", loop.flavor(), Flavor.SEMICOLON, to);
+    to.add(" (");
+    loop.condition().accept(to);
+    to.add(')');
+    governed(loop.body(), to);
+  }
+
+  static void loop(Ast.For loop, PrintedCode to) {
+    keyword("for", loop.flavor(), Flavor.SEMICOLON, to);
+    to.add(" (");
+    if (loop.init() != null) {
+      loop.init().accept(to);
+    }
+    to.add(';');
+    spaced(loop.condition(), to);
+    to.add(';');
+    spaced(loop.step(), to);
+    to.add(')');
+    governed(loop.body(), to);
+  }
+
+  private static void spaced(@Nullable Ast tree, PrintedCode to) {
+    if (tree != null) {
+      to.add(' ');
+      tree.accept(to);
+    }
+  }
+
+  static void loop(Ast.ForEach loop, PrintedCode to) {
+    keyword("for", loop.flavor(), Flavor.SEMICOLON, to);
+    to.add(" (");
+    if (loop.name() != null) {
+      to.add("var ");
+      to.name(loop.name());
+      to.add(" : ");
+    }
+    Expressions.expression(loop.range(), to);
+    to.add(')');
+    governed(loop.body(), to);
+  }
+
+  static void loop(Ast.Every every, PrintedCode to) {
+    keyword("every", every.flavor(), Flavor.COMMA, to);
+    to.add(" (");
+    Expressions.expression(every.period(), to);
+    to.add(')');
+    governed(every.body(), to);
   }
 
   // ------------------------------------------------------------------------------ structures
 
-  static String doBlock(Ast.Do block) {
-    String target =
-        block.target() == null ? "" : " (" + Expressions.expression(block.target()) + ")";
-    return "do" + target + "\n" + scope(block.body());
+  static void conditional(Ast.If choice, PrintedCode to) {
+    to.add("if (");
+    choice.condition().accept(to);
+    to.add(')');
+    governed(choice.thenClause(), to);
+    optional("else", choice.elseClause(), to);
   }
 
-  private static String flavor(Flavor flavor, Flavor usual) {
-    return flavor == usual ? "" : flavor.text();
+  static void tagged(Ast.Tagged tagged, PrintedCode to) {
+    Expressions.expression(tagged.tag(), to);
+    to.add(": ");
+    if (tagged.body() instanceof Ast.Noop || tagged.body() instanceof Ast.Sequence) {
+      clause(tagged.body(), to);
+    } else {
+      tagged.body().accept(to);
+    }
   }
 
-  static String loop(String keyword, Flavor flavor, String head, Ast body) {
-    return keyword + flavor(flavor, Flavor.SEMICOLON) + " " + head + "\n" + clause(body);
+  static void timeout(Ast.Timeout timeout, PrintedCode to) {
+    to.add("timeout (");
+    Expressions.expression(timeout.duration(), to);
+    to.add(')');
+    governed(timeout.body(), to);
   }
 
-  static String clauses(Ast.For loop) {
-    return "("
-        + clauseOf(loop.init())
-        + ";"
-        + spaced(loop.condition())
-        + ";"
-        + spaced(loop.step())
-        + ")";
+  /** A statement that consists of a word and a value, if there is one. */
+  static void leave(String keyword, @Nullable Ast value, PrintedCode to) {
+    to.add(keyword);
+    if (value != null) {
+      to.add(' ');
+      Expressions.expression(value, to);
+    }
   }
 
-  private static String clauseOf(@Nullable Ast tree) {
-    return tree == null ? "" : statement(tree);
+  static void doBlock(Ast.Do block, PrintedCode to) {
+    to.add("do");
+    if (block.target() != null) {
+      to.add(" (");
+      Expressions.expression(block.target(), to);
+      to.add(')');
+    }
+    to.line();
+    scope(block.body(), to);
   }
 
-  private static String spaced(@Nullable Ast tree) {
-    return tree == null ? "" : " " + statement(tree);
-  }
-
-  static String range(Ast.ForEach loop) {
-    String range = Expressions.expression(loop.range());
-    return loop.name() == null
-        ? "(" + range + ")"
-        : "(var " + StringEscape.name(loop.name()) + " : " + range + ")";
-  }
-
-  static String every(Ast.Every every) {
-    String period = "(" + Expressions.expression(every.period()) + ")";
-    String flavor = flavor(every.flavor(), Flavor.COMMA);
-    return "every" + flavor + " " + period + "\n" + clause(every.body());
-  }
-
-  static String choice(Ast.Switch choice) {
-    var text = new StringBuilder("switch (").append(statement(choice.value())).append(")\n{\n");
+  static void choice(Ast.Switch choice, PrintedCode to) {
+    to.add("switch (");
+    choice.value().accept(to);
+    to.add(')');
+    to.line();
+    to.add('{');
     for (Ast.Case one : choice.cases()) {
-      text.append("  case ").append(guarded(one.pattern(), one.guard())).append(":\n");
-      text.append(alternative(one.body()));
+      to.line();
+      // Only this line is further to the right, not those of a pattern that has more.
+      to.add("  case ");
+      Expressions.expression(one.pattern(), to);
+      guard(one.guard(), to);
+      alternative(one.body(), to);
     }
     if (choice.defaultClause() != null) {
-      text.append("  default:\n").append(alternative(choice.defaultClause()));
+      to.line();
+      to.add("  default");
+      alternative(choice.defaultClause(), to);
     }
-    return text.append('}').toString();
+    to.line();
+    to.add('}');
   }
 
-  private static String alternative(Ast.Sequence body) {
-    String lines = lines(body);
-    return lines.isEmpty() ? "" : Printer.indent(Printer.indent(lines)) + "\n";
+  private static void alternative(Ast.Sequence body, PrintedCode to) {
+    to.add(':');
+    to.more();
+    int begin = to.indent();
+    lines(body, to);
+    to.outdent(begin);
+    to.less();
   }
 
-  static String guarded(Ast pattern, @Nullable Ast guard) {
-    return Expressions.expression(pattern)
-        + (guard == null ? "" : " if " + Expressions.expression(guard));
+  static void guard(@Nullable Ast guard, PrintedCode to) {
+    if (guard != null) {
+      to.add(" if ");
+      Expressions.expression(guard, to);
+    }
   }
 
-  static String attempt(Ast.Try attempt) {
-    var text = new StringBuilder("try\n").append(scope(attempt.body()));
+  static void attempt(Ast.Try attempt, PrintedCode to) {
+    to.add("try");
+    to.line();
+    scope(attempt.body(), to);
     for (Ast.Catch one : attempt.catches()) {
-      text.append("\ncatch");
+      to.line();
+      to.add("catch");
       if (one.pattern() != null) {
-        text.append(" (").append(guarded(one.pattern(), one.guard())).append(")");
+        to.add(" (");
+        Expressions.expression(one.pattern(), to);
+        guard(one.guard(), to);
+        to.add(')');
       }
-      text.append('\n').append(scope(one.body()));
+      to.line();
+      scope(one.body(), to);
     }
-    return text.append(optional("else", attempt.elseClause()))
-        .append(optional("finally", attempt.finallyClause()))
-        .toString();
+    optional("else", attempt.elseClause(), to);
+    optional("finally", attempt.finallyClause(), to);
   }
 
-  static String claim(Ast.Assert claim) {
+  static void claim(Ast.Assert claim, PrintedCode to) {
     if (!claim.block()) {
-      return "assert(" + Expressions.expression(claim.claims().get(0)) + ")";
+      to.add("assert(");
+      Expressions.expression(claim.claims().get(0), to);
+      to.add(')');
+      return;
     }
-    var text = new StringBuilder("assert\n{\n");
+    to.add("assert");
+    to.line();
+    to.add('{');
+    to.more();
     for (Ast one : claim.claims()) {
-      text.append(Printer.indent(statement(one))).append(";\n");
+      to.line();
+      one.accept(to);
+      to.add(';');
     }
-    return text.append('}').toString();
+    to.less();
+    to.line();
+    to.add('}');
   }
 }

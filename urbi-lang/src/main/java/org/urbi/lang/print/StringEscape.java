@@ -10,7 +10,16 @@ public final class StringEscape {
 
   /** The string as a literal: between double quotes. */
   public static String quote(String text) {
-    return '"' + escape(text, '"') + '"';
+    var quoted = new StringBuilder(text.length() + 8);
+    appendQuoted(quoted, text);
+    return quoted.toString();
+  }
+
+  /** Appends the string as a literal: between double quotes. */
+  static void appendQuoted(StringBuilder to, String text) {
+    to.append('"');
+    append(to, text, 0, text.length(), '"');
+    to.append('"');
   }
 
   /** The contents of a literal between quotes of a kind. */
@@ -22,14 +31,33 @@ public final class StringEscape {
 
   /** Appends a part of the contents of such a literal, from an index to another one. */
   public static void append(StringBuilder escaped, String text, int begin, int end, char quote) {
+    int written = begin;
     for (int i = begin; i < end; i++) {
-      append(escaped, text.charAt(i), quote);
+      char c = text.charAt(i);
+      if (c < ' ' || 127 <= c || c == quote || c == '\\') {
+        // What stands between two of these is appended at once.
+        escaped.append(text, written, i);
+        append(escaped, c, quote);
+        written = i + 1;
+      }
     }
+    escaped.append(text, written, end);
   }
 
   /** The name as an identifier: between simple quotes unless it may go without. */
   public static String name(String name) {
     return plain(name) ? name : '\'' + escape(name, '\'') + '\'';
+  }
+
+  /** Appends the name as an identifier. */
+  static void appendName(StringBuilder to, String name) {
+    if (plain(name)) {
+      to.append(name);
+    } else {
+      to.append('\'');
+      append(to, name, 0, name.length(), '\'');
+      to.append('\'');
+    }
   }
 
   private static void append(StringBuilder escaped, char c, char quote) {
@@ -66,16 +94,16 @@ public final class StringEscape {
   }
 
   private static boolean plain(String name) {
-    if (name.isEmpty() || Keywords.keyword(name) || name.equals("self")) {
-      return false;
-    }
+    boolean lower = !name.isEmpty();
     for (int i = 0; i < name.length(); i++) {
       char c = name.charAt(i);
       boolean letter = 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || c == '_';
       if (!letter && (i == 0 || c < '0' || '9' < c)) {
         return false;
       }
+      lower &= '_' <= c;
     }
-    return true;
+    // Keywords are lower-case: to look up only what may be one makes a long text cheaper.
+    return lower ? !Keywords.keyword(name) && !name.equals("self") : !name.isEmpty();
   }
 }

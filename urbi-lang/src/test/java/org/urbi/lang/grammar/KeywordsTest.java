@@ -40,4 +40,14 @@ class KeywordsTest {
       assertTrue(Keywords.keyword(word), word);
     }
   }
+
+  /** Printing looks up no other words. */
+  @Test
+  void wordsAreLowerCase() {
+    Set<String> words = new TreeSet<>(Keywords.all());
+    words.addAll(Keywords.refused());
+    for (String word : words) {
+      assertTrue(word.matches("[a-z_]+"), word);
+    }
+  }
 }

@@ -114,6 +114,115 @@ class PrinterTest {
     prints("assert { a; b == c }", "assert\n{\n  a;\n  b.'=='(c);\n}");
   }
 
+  @Test
+  void bracesOfOneLineWithinOnesOfSeveral() {
+    prints(
+        "{ {}; { { a } }; { { b; c } }; {;;}; {a,} }",
+        """
+        {
+          {};
+          { { a } };
+          {
+            {
+              b;
+              c
+            }
+          };
+          {
+            ;
+            ;
+          };
+          { a, }
+        }\
+        """);
+    prints("loop { if (a) {} else { function () {} } }", LOOP_OF_EMPTY_BODIES);
+    prints("class A { b }", "class A\n{\n  b\n}");
+    prints("class A {}", "class A\n{}");
+    prints("{ class A { b } }", "{\n  class A\n  {\n    b\n  }\n}");
+    prints("enum E {}", "enum E\n{\n}");
+    prints("assert {}", "assert\n{\n}");
+  }
+
+  private static final String LOOP_OF_EMPTY_BODIES =
+      """
+      loop
+      {
+        if (a)
+        {}
+        else
+        { function () {} }
+      }\
+      """;
+
+  @Test
+  void valuesOfSeveralLines() {
+    prints(
+        "function () { if (a) { f(1, [\"k\" => [2 => { x; y }]]); b } }",
+        """
+        function () {
+          if (a)
+          {
+            f(1, [
+              "k" => [
+                2 => {
+                  x;
+                  y
+                },
+              ],
+            ]);
+            b
+          }
+        }\
+        """);
+    prints(
+        "loop { switch (a) { case 1: { b; c }; case 2: case 3: {} default: } }",
+        """
+        loop
+        {
+          switch (a)
+          {
+            case 1:
+              {
+                b;
+                c
+              }
+            case 2:
+            case 3:
+              {}
+            default:
+          }
+        }\
+        """);
+    prints(
+        "{ switch (a) { case [\"k\" => 1]: b } }",
+        """
+        {
+          switch (a)
+          {
+            case [
+            "k" => 1,
+          ]:
+              b
+          }
+        }\
+        """);
+  }
+
+  @Test
+  void linesFarToTheRight() {
+    int depth = 50;
+    var printed = new StringBuilder();
+    for (int i = 0; i < depth; i++) {
+      printed.append("  ".repeat(i)).append("{\n");
+    }
+    printed.append("  ".repeat(depth)).append("a;\n");
+    printed.append("  ".repeat(depth)).append("b\n");
+    for (int i = depth - 1; i >= 0; i--) {
+      printed.append("  ".repeat(i)).append(i > 0 ? "}\n" : "}");
+    }
+    prints("{".repeat(depth) + "a; b" + "}".repeat(depth), printed.toString());
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {

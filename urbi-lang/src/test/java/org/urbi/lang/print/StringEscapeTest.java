@@ -26,6 +26,19 @@ class StringEscapeTest {
     assertEquals("'1a'", StringEscape.name("1a"));
     assertEquals("''", StringEscape.name(""));
     assertEquals("'a\\'\"'", StringEscape.name("a'\""));
+    assertEquals("'wchar_t'", StringEscape.name("wchar_t"));
+    assertEquals("'self'", StringEscape.name("self"));
+    assertEquals("If", StringEscape.name("If"));
+  }
+
+  @Test
+  void appends() {
+    var text = new StringBuilder("x");
+    StringEscape.appendName(text, "a");
+    StringEscape.appendName(text, "a\n");
+    StringEscape.appendQuoted(text, "b\tcd\"");
+    StringEscape.append(text, "ab'cd", 1, 4, '\'');
+    assertEquals("xa'a\\n'\"b\\tcd\\\"\"b\\'c", text.toString());
   }
 
   @Test
