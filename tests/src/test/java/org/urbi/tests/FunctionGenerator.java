@@ -39,8 +39,9 @@ abstract class FunctionGenerator {
     return random.nextInt(100) < percent;
   }
 
+  /** A variable; where there is no local one, a slot of the object that all programs have. */
   String variable() {
-    return variables.get(random.nextInt(variables.size()));
+    return variables.isEmpty() ? "o.x" : variables.get(random.nextInt(variables.size()));
   }
 
   /** Declares one more variable. */

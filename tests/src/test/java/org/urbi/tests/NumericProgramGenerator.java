@@ -6,7 +6,7 @@ import java.util.List;
  * Makes programs of functions that compute, loop, call each other, fail and let others run; the
  * same ones from the same seed. All of them end.
  */
-final class NumericProgramGenerator extends FunctionGenerator {
+final class NumericProgramGenerator extends InnerCodeGenerator {
   private static final int FUNCTIONS = 6;
 
   /** What every program begins with. */
@@ -31,11 +31,16 @@ final class NumericProgramGenerator extends FunctionGenerator {
   private static final List<String> LITERALS =
       List.of("0", "1", "2", "3", "0.5", "-1", "1e300", "7", "100", "inf", "nan");
 
-  private int loops;
   private int callable;
 
   /** Whether the function has only what is compiled. */
   private boolean plain;
+
+  /** Whether the only variables of the function are those of code that is not compiled. */
+  private boolean bare;
+
+  /** Which functions have no parameters. */
+  private final boolean[] parameterless = new boolean[FUNCTIONS];
 
   private NumericProgramGenerator(long seed) {
     super(seed);
@@ -46,7 +51,7 @@ final class NumericProgramGenerator extends FunctionGenerator {
   }
 
   private String program() {
-    text.append(PRELUDE);
+    text.append(PRELUDE).append(INNER_PRELUDE);
     for (callable = 0; callable < FUNCTIONS; callable++) {
       function();
     }
@@ -60,7 +65,7 @@ final class NumericProgramGenerator extends FunctionGenerator {
 
   private String topLevel() {
     String call = call(random.nextInt(FUNCTIONS));
-    return switch (random.nextInt(16)) {
+    return switch (random.nextInt(18)) {
       case 0 ->
           "Float.'+' = function(n) { lobby.getSlotValue(\"plus\").apply([this, n]) * 2 }|; "
               + call
@@ -89,12 +94,15 @@ final class NumericProgramGenerator extends FunctionGenerator {
               + ", t.freeze|; sleep(2ms)|; t.unfreeze|; sleep(9ms)|;"
               + " removeLocalSlot(\"t\")|;";
       case 11 -> "try { " + call + " } catch (var e) { echo(e) };";
+      case 12, 13 -> ("again" + random.nextInt(FUNCTIONS) + "(); ").repeat(3);
+      case 14 -> "for| (12) again" + random.nextInt(FUNCTIONS) + "();";
       default -> call + ";";
     };
   }
 
   private String call(int function) {
-    return "f" + function + "(" + argument() + ", " + argument() + ")";
+    String arguments = parameterless[function] ? "" : argument() + ", " + argument();
+    return "f" + function + "(" + arguments + ")";
   }
 
   private String argument() {
@@ -107,12 +115,20 @@ final class NumericProgramGenerator extends FunctionGenerator {
 
   private void function() {
     names = 0;
-    plain = chance(60);
+    plain = chance(45);
+    bare = !plain && chance(60);
+    parameterless[callable] = bare && chance(50);
     variables.clear();
-    variables.addAll(List.of("a", "b"));
-    text.append("function f").append(callable).append("(a, b) {\n");
-    block(3 + random.nextInt(5));
-    text.append("  ").append(expression(2)).append("\n}|;\n");
+    if (!bare) {
+      variables.addAll(List.of("a", "b"));
+    }
+    text.append("function f").append(callable);
+    text.append(parameterless[callable] ? "() {\n" : "(a, b) {\n");
+    block(bare ? 1 + random.nextInt(3) : 3 + random.nextInt(5));
+    text.append("  ").append(bare ? "o.x" : expression(2)).append("\n}|;\n");
+    // Compiled code enters compiled functions in another way than the top level does.
+    text.append("function again").append(callable).append("() { ");
+    text.append(call(callable)).append("; ").append(call(callable)).append(" }|;\n");
   }
 
   /** A variable that counts no turns. */
@@ -123,11 +139,14 @@ final class NumericProgramGenerator extends FunctionGenerator {
         return name;
       }
     }
-    return "a";
+    return "o.x";
   }
 
   @Override
   String statement() {
+    if (bare && !isInner()) {
+      return bareStatement();
+    }
     if (nested < 3 && chance(30)) {
       return compound();
     }
@@ -171,8 +190,21 @@ final class NumericProgramGenerator extends FunctionGenerator {
     };
   }
 
+  /** Of a function which has no variables but those of code that is not compiled. */
+  private String bareStatement() {
+    return switch (random.nextInt(nested < 2 ? 12 : 9)) {
+      case 0 -> "global += " + one("1", "o.x", "same(o.x)");
+      case 1 -> "o.x = " + one("1", "3", "o.y", "o.get(1)");
+      case 2 -> "sleep(1ms)";
+      case 9 -> "if (o.x " + one("<", "==", ">") + " 2) " + inside(1) + " else " + inside(1);
+      case 10 -> "for" + one("", "|") + " (" + one("2", "12") + ") " + inside(1);
+      case 11 -> "try " + inside(1) + " finally " + inside(1);
+      default -> innerCode();
+    };
+  }
+
   private String compound() {
-    return switch (random.nextInt(plain ? 6 : 9)) {
+    return switch (random.nextInt(plain ? 6 : 11)) {
       case 0, 1 -> "if (" + condition() + ") " + inside(2);
       case 2 -> "if (" + condition() + ") " + inside(1) + " else " + inside(2);
       case 3 -> loop("while" + one("", "|"), "i");
@@ -205,6 +237,7 @@ final class NumericProgramGenerator extends FunctionGenerator {
       }
       case 6 -> "try " + inside(2) + " catch (var e" + names + ") { echo(e" + names++ + ") }";
       case 7 -> "try " + inside(2) + " finally " + inside(1);
+      case 8, 9 -> innerCode();
       default -> inside(2);
     };
   }
@@ -299,7 +332,8 @@ final class NumericProgramGenerator extends FunctionGenerator {
                   "[" + variable() + "]",
                   "missing");
       case 20 -> "{ var w" + names + " = " + expression(depth - 1) + "| w" + names++ + " + 1 }";
-      default -> "(" + condition() + " ? " + variable() + " : " + expression(depth - 1) + ")";
+      default ->
+          "{ if (" + condition() + ") " + variable() + " else " + expression(depth - 1) + " }";
     };
   }
 }

@@ -120,15 +120,15 @@ class OwnCallsTest {
         Map.entry(
             "closures and unevaluated arguments have their activation",
             """
-            var o = Object.new|; var saved = nil|; function o.keep { saved = call | 0 };
+            var o = Object.new|; var saved = nil|; function o.keep { lobby.saved = call | 0 }|;
             function cl(n) { if (n > 0) { cl(n - 1) + n } else [1, 2].each(closure (y) { if (y == 2) return n + 7 }) }|;
             cl(0); cl(3); cl(3);
             function lz(n) { if (n == 0) o.keep(n += 1) else lz(n - 1); n }|; lz(2); saved.evalArgAt(0); saved.evalArgAt(0);
             lz(0); saved.sender === lobby; saved.evalArgAt(0); lz(3); saved.evalArgAt(0);
             var fs = []|; function mk(n) { if (n > 0) { mk(n - 1); fs << function () { n += 1 } } else 0 }|; mk(3);
             for (var f : fs) echo(f()); for (var f : fs) echo(f());
-            function o.call { call.evalArgAt(0) + call.evalArgAt(0) };
-            function ev(n) { if (n < 2) o.call(n += 1) else ev(n - 1) + n }|; ev(1); ev(4); ev(4);
+            function o.both { call.evalArgAt(0) + call.evalArgAt(0) };
+            function ev(n) { if (n < 2) o.both(n += 1) else ev(n - 1) + n }|; ev(1); ev(4); ev(4);
             function back(n) { if (n == 0) o.keep(missing) else back(n - 1) }|; back(2); saved.evalArgAt(0);
             """));
   }

@@ -6,7 +6,7 @@ import java.util.List;
  * Makes programs of functions that call themselves, and fail, catch, stop, wait and hand out code
  * in between; the same ones from the same seed. All of them end.
  */
-final class RecursiveProgramGenerator extends FunctionGenerator {
+final class RecursiveProgramGenerator extends InnerCodeGenerator {
   private static final int FUNCTIONS = 3;
 
   /** So a function calls itself 80 times at most. */
@@ -15,7 +15,7 @@ final class RecursiveProgramGenerator extends FunctionGenerator {
   private static final String PRELUDE =
       """
       var o = Object.new|; var o.x = 1|; var log = []|; var t = Tag.new|; var saved = nil|;
-      function o.keep { saved = call | 1 }|; function o.lazy { call.evalArgAt(0) }|;
+      function o.keep { lobby.saved = call | 1 }|; function o.lazy { call.evalArgAt(0) }|;
       function o.wait { sleep(1ms) | x += 1 }|; var plus = Float.getSlotValue("+")|;
       """;
 
@@ -31,7 +31,7 @@ final class RecursiveProgramGenerator extends FunctionGenerator {
   }
 
   private String program() {
-    text.append(PRELUDE);
+    text.append(PRELUDE).append(INNER_PRELUDE);
     for (int i = 0; i < FUNCTIONS; i++) {
       name = "r" + i;
       function();
@@ -54,7 +54,10 @@ final class RecursiveProgramGenerator extends FunctionGenerator {
 
   private String topLevel() {
     return switch (random.nextInt(13)) {
-      case 0 -> "Float.'+' = function (n) { lobby.plus.apply([this, n]) * 2 }|; " + call() + ";";
+      case 0 ->
+          "Float.'+' = function (n) { lobby.getSlotValue(\"plus\").apply([this, n]) * 2 }|; "
+              + call()
+              + ";";
       case 1 -> "Float.'+' = lobby.getSlotValue(\"plus\")|; " + call() + ";";
       case 2 -> call() + ", " + call() + ", sleep(20ms)|; log;";
       case 3 -> call() + " & " + call() + ";";
@@ -112,7 +115,7 @@ final class RecursiveProgramGenerator extends FunctionGenerator {
 
   @Override
   String statement() {
-    return switch (random.nextInt(nested < 2 ? 14 : 9)) {
+    return switch (random.nextInt(nested < 2 ? 15 : 9)) {
       case 0, 1 -> declaration(2);
       case 2 -> "a = " + expression(3);
       case 3 -> "a += " + expression(2);
@@ -131,7 +134,8 @@ final class RecursiveProgramGenerator extends FunctionGenerator {
               + expression(2)
               + " }";
       case 12 -> "try " + inside(2) + " finally { log << n }";
-      default -> "{ var w" + names + " = " + expression(2) + "; a = w" + names++ + " }";
+      case 13 -> "{ var w" + names + " = " + expression(2) + "; a = w" + names++ + " }";
+      default -> innerCode();
     };
   }
 
