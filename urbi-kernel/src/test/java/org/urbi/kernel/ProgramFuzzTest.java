@@ -57,7 +57,9 @@ class ProgramFuzzTest {
           fuzzer.programs()
               + " programs, "
               + fuzzer.interrupted()
-              + " interrupted, seeds "
+              + " interrupted, "
+              + fuzzer.exhausted()
+              + " without memory, seeds "
               + SEED
               + " to "
               + (seed - 1)

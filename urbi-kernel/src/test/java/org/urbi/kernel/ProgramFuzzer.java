@@ -18,6 +18,7 @@ final class ProgramFuzzer {
   private final Role role;
   private int programs;
   private int interrupted;
+  private int exhausted;
 
   ProgramFuzzer(Path directory, Role role) {
     this.directory = directory;
@@ -36,6 +37,11 @@ final class ProgramFuzzer {
   /** How many of them were ended because they took too long. */
   int interrupted() {
     return interrupted;
+  }
+
+  /** How many of them have filled the memory. */
+  int exhausted() {
+    return exhausted;
   }
 
   /** Runs the programs of that seed; what is wrong with them, or null. */
@@ -81,22 +87,27 @@ final class ProgramFuzzer {
     if (end.defect() != null) {
       return new Finding(last, end.defect(), end.output());
     }
-    int compared = first.size();
-    if (end.interrupted()) {
-      interrupted++;
-      compared--;
-    }
-    List<ProgramKernel.Outcome> second = outcomes(texts.subList(0, compared));
-    for (int i = 0; i < second.size(); i++) {
-      if (second.get(i).interrupted()) {
-        break;
-      }
+    interrupted += end.interrupted() ? 1 : 0;
+    exhausted += (int) first.stream().filter(ProgramKernel.Outcome::exhausted).count();
+    List<ProgramKernel.Outcome> second = outcomes(texts.subList(0, comparable(first)));
+    for (int i = 0; i < comparable(second); i++) {
       String difference = difference(first.get(i).output(), second.get(i).output());
       if (difference != null) {
         return new Finding(i, "not the same twice", difference);
       }
     }
     return null;
+  }
+
+  /** How many programs come before the first one that need not do the same twice. */
+  private static int comparable(List<ProgramKernel.Outcome> outcomes) {
+    int same = 0;
+    while (same < outcomes.size()
+        && !outcomes.get(same).interrupted()
+        && !outcomes.get(same).exhausted()) {
+      same++;
+    }
+    return same;
   }
 
   private static @Nullable String difference(String one, String other) {

@@ -18,6 +18,7 @@ import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.memory.Evictable;
+import org.urbi.kernel.memory.MemoryWatchdog;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.trust.Role;
 
@@ -58,14 +59,17 @@ final class ProgramKernel implements AutoCloseable {
    * @param output all that the client has got, and the log
    * @param defect what is wrong; null for nothing
    * @param interrupted whether it took too long, so that nothing can be compared from here on
+   * @param exhausted whether there was no memory for something: which of its steps failed depended
+   *     on how much garbage there was, so that nothing can be compared from here on, either
    */
-  record Outcome(String output, @Nullable String defect, boolean interrupted) {}
+  record Outcome(String output, @Nullable String defect, boolean interrupted, boolean exhausted) {}
 
   private final Kernel kernel;
   private final StringBuffer heard = new StringBuffer();
   private volatile @Nullable UrbiLobby current;
   private volatile @Nullable Job watching;
   private volatile boolean interrupted;
+  private volatile boolean exhausted;
   private volatile int waits;
 
   ProgramKernel(Path directory) {
@@ -90,6 +94,13 @@ final class ProgramKernel implements AutoCloseable {
     KernelThread.run(
         kernel,
         () -> {
+          // On the thread of the kernel, which is the one that waits.
+          scheduler
+              .memory()
+              .setRelief(() -> {
+                exhausted = true;
+                MemoryWatchdog.awaitRelief();
+              });
           // The lobby of the kernel itself is made when somebody asks for it, and stays.
           kernel.uobjects().lobby();
           Job watcher =
@@ -114,7 +125,7 @@ final class ProgramKernel implements AutoCloseable {
     try {
       await(over);
     } catch (IllegalStateException e) {
-      outcomes.add(new Outcome(heard.toString(), e.getMessage(), true));
+      outcomes.add(new Outcome(heard.toString(), e.getMessage(), true, exhausted));
     }
     return outcomes;
   }
@@ -155,6 +166,7 @@ final class ProgramKernel implements AutoCloseable {
   private Outcome run(Job watcher, String program, Role role) {
     heard.setLength(0);
     interrupted = false;
+    exhausted = false;
     waits = 0;
     Interpreter interpreter = kernel.interpreter();
     Budget budget = new Budget();
@@ -212,7 +224,7 @@ final class ProgramKernel implements AutoCloseable {
     } else if (!jobsBesides(before).isEmpty()) {
       defect = "jobs are left: " + jobsBesides(before);
     }
-    return new Outcome(output, defect, tooLong || interrupted);
+    return new Outcome(output, defect, tooLong || interrupted, exhausted);
   }
 
   /**
