@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.lobby.Output;
@@ -209,8 +210,7 @@ final class ProgramKernel implements AutoCloseable {
     for (int i = 0; i < CLAUSES && unfreeze(before); i++) {
       awaitEnd(watcher, before);
     }
-    if (lobby.hasDetached() && lobby.hasEnded()) {
-      // Only what it has detached from its connection (disown) is left, which is meant to go on.
+    for (int i = 0; i < CLAUSES && mayStay(lobby, program, before); i++) {
       lobby.endDetached(interpreter);
       awaitEnd(watcher, before);
     }
@@ -248,15 +248,37 @@ final class ProgramKernel implements AutoCloseable {
    * @return whether a job was frozen
    */
   private boolean unfreeze(List<Job> before) {
-    List<Job> frozen =
-        kernel.scheduler().jobs().stream()
-            .filter(job -> !before.contains(job) && job.isFrozen())
-            .toList();
+    List<Job> frozen = leftBesides(before).stream().filter(Job::isFrozen).toList();
     for (Job job : frozen) {
       job.unfreezeAlone();
       job.scope().tags().forEach(TagState::unfreeze);
     }
     return !frozen.isEmpty();
+  }
+
+  /**
+   * Whether all that is left may stay until the budget for what clients leave behind is exceeded,
+   * and is ended then: what the client has detached from its connection (disown), and jobs that
+   * wait in finally clauses. Only the latter may be left under the connection.
+   */
+  private boolean mayStay(UrbiLobby lobby, String program, List<Job> before) {
+    TagState connection = lobby.connectionTag().state();
+    List<Job> left = leftBesides(before);
+    return !left.isEmpty()
+        && left.stream()
+            .filter(job -> job.scope().tags().contains(connection))
+            .allMatch(job -> program.contains("finally") && wasToldToEnd(job));
+  }
+
+  /** Whether it is under what was told to end, or begun by the cleaning up there. */
+  private boolean wasToldToEnd(Job job) {
+    TagScope root = kernel.scheduler().rootScope();
+    for (TagScope scope = job.scope(); scope != root; scope = scope.parent()) {
+      if (scope.isAbandoned()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Whoever fills the memory is ended, as with any client. */
@@ -294,9 +316,12 @@ final class ProgramKernel implements AutoCloseable {
     };
   }
 
+  private List<Job> leftBesides(List<Job> others) {
+    return kernel.scheduler().jobs().stream().filter(job -> !others.contains(job)).toList();
+  }
+
   private List<String> jobsBesides(List<Job> others) {
-    return kernel.scheduler().jobs().stream()
-        .filter(job -> !others.contains(job))
+    return leftBesides(others).stream()
         .map(job -> HoldLimit.described(job, null) + ", " + job.state())
         .toList();
   }
