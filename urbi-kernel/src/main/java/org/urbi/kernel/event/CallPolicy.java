@@ -1,6 +1,7 @@
 package org.urbi.kernel.event;
 
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.job.Scheduler;
 
 /**
@@ -73,9 +74,7 @@ public final class CallPolicy {
     } else if (!running) {
       running = true;
       begin(now);
-      scheduler
-          .startDetached(
-              caller.lobby(), scheduler.rootScope(), "connection", job -> run(job, body, measured))
+      JobOwner.start(scheduler, caller.lobby(), "connection", job -> run(job, body, measured))
           .onEnd(() -> running = false);
     }
   }

@@ -4,6 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
@@ -99,10 +100,9 @@ final class ExpressionWatcher implements Dependencies.Watcher {
   private void setApart(Scheduler scheduler) {
     if (!apart) {
       apart = true;
-      scheduler
-          .startDetached(
+      JobOwner.start(
+              scheduler,
               lobby,
-              scheduler.rootScope(),
               "watch",
               job -> {
                 apart = false;
@@ -128,7 +128,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
   }
 
   private void startEvaluation(Scheduler scheduler) {
-    scheduler.startDetached(lobby, scheduler.rootScope(), "watch", this::evaluateAgain);
+    JobOwner.start(scheduler, lobby, "watch", this::evaluateAgain);
   }
 
   private void evaluateAgain(Job job) {

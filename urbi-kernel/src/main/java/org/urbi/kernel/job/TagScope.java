@@ -104,7 +104,7 @@ public final class TagScope {
   }
 
   /** Nobody is left for what runs here: see {@link #isAbandoned}. */
-  void abandon() {
+  public void abandon() {
     abandoned = true;
   }
 

@@ -12,6 +12,7 @@ import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.EndInPieces;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
@@ -23,7 +24,7 @@ import org.urbi.kernel.trust.Role;
 import org.urbi.kernel.trust.RoleHolder;
 
 /** The environment of one connection (manual, "Lobby"): {@code this} at its top level. */
-public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted {
+public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted, JobOwner {
   private static final String NO_LOBBY = "the prototype of lobbies is no lobby";
 
   private final @Nullable UrbiTag connectionTag;
@@ -118,6 +119,16 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     return budget;
   }
 
+  @Override
+  public @Nullable TagState lifeTag() {
+    return connectionTag == null ? null : connectionTag.state();
+  }
+
+  @Override
+  public boolean hasLeft() {
+    return shell != null && shell.isClosed();
+  }
+
   /**
    * Sets its role.
    *
@@ -195,7 +206,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
 
   /** From now on a lobby that its code has made ends with it; at once if it has ended. */
   public void addCreated(UrbiLobby lobby) {
-    if (hasShell() && shell().isClosed()) {
+    if (hasLeft()) {
       lobby.shell().close();
     } else {
       created.add(lobby);

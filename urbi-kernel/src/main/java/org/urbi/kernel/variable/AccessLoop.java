@@ -1,5 +1,6 @@
 package org.urbi.kernel.variable;
 
+import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -51,10 +52,9 @@ final class AccessLoop {
     reading = true;
     Scheduler scheduler = interpreter.scheduler();
     UrbiObject lobby = variable.lobby();
-    scheduler
-        .startDetached(
+    JobOwner.start(
+            scheduler,
             lobby,
-            scheduler.rootScope(),
             "access",
             job -> variable.readInLoop(Frame.top(interpreter, job, lobby, new FrameLayout())))
         .onEnd(() -> reading = false);

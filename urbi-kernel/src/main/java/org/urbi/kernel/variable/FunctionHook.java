@@ -2,7 +2,7 @@ package org.urbi.kernel.variable;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
@@ -41,11 +41,10 @@ final class FunctionHook implements Hook {
   private void setApart(Frame frame, UrbiUVar variable) {
     again = true;
     if (apart == null) {
-      Scheduler scheduler = frame.job().scheduler();
       Job started =
-          scheduler.startDetached(
+          JobOwner.start(
+              frame.job().scheduler(),
               lobby,
-              scheduler.rootScope(),
               "notify",
               job -> {
                 Frame top = Frame.top(frame.interpreter(), job, lobby, new FrameLayout());

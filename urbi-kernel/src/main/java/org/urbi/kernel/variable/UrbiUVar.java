@@ -28,6 +28,7 @@ import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.RoleHolder;
 
 /**
  * A variable with hooks, which provides the value of a slot (manual, "UVar").
@@ -266,7 +267,11 @@ public final class UrbiUVar extends UrbiObject {
   /** Adds a hook that runs before each access; returns the number by which to remove it. */
   public long notifyAccess(Frame frame, Hook hook) {
     onAccess.add(++lastId, hook);
-    lobby = frame.job().lobby();
+    UrbiObject installer = frame.job().lobby();
+    if (lobby == null || RoleHolder.roleOf(installer).compareTo(RoleHolder.roleOf(lobby)) >= 0) {
+      // As with other readers, who may do more does not wait for the hook of who may do less.
+      lobby = installer;
+    }
     reviewAccess(frame.interpreter());
     return lastId;
   }

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -88,13 +89,8 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   private void emit(UrbiEvent event, String name) {
     if (event.hasSubscribers()) {
       UrbiObject payload = interpreter.values().string(Utf8Text.toUrbi(name));
-      interpreter
-          .scheduler()
-          .startDetached(
-              lobby,
-              interpreter.scheduler().rootScope(),
-              "directory",
-              job -> event.emit(job, false, payload));
+      JobOwner.start(
+          interpreter.scheduler(), lobby, "directory", job -> event.emit(job, false, payload));
     }
   }
 }

@@ -1,0 +1,91 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.trust.Role;
+
+/** What the kernel calls for a client, also when it has left, leaves no jobs behind. */
+class LeftHooksTest extends RolesFixture {
+  private static final String CHANGES =
+      "for (5) { robot.speed = robot.speed + 1; robot.plain = robot.plain + 1; robot.speed;"
+          + " sleep(100ms) }; System.jobs.size;";
+
+  @BeforeEach
+  void start() {
+    start(
+        Kernel.builder(),
+        """
+        var Global.robot = Object.new|;
+        var robot.speed = 1|;
+        var robot.plain = 1|;
+        UVar.new(robot, "speed")|;
+        var Global.calls = 0|;
+        var Global.called = closure () { calls += 1 }|;
+        """);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "robot.&speed.notifyChange(closure () { START });",
+        "robot.&speed.notifyChangeOwned(closure () { START });",
+        "robot.&speed.notifyAccess(closure () { START });",
+        "robot.&speed.notifyChange(closure () { 1 }); robot.&speed.notifyAccess(closure () { START });",
+        "UVar.notifyChange(closure () { 1 }); UVar.notifyAccess(closure () { START });",
+        "at ({ START; robot.plain > 100 }) 1;",
+        "waituntil ({ START; robot.plain > 100 }),",
+        "watch ({ START; robot.plain }),",
+      })
+  void whatAClientsCodeHasStartedEndsWithTheClient(String code) {
+    String before = owner.say(CHANGES);
+    user.say(code.replace("START", "detach({ sleep(inf) })") + " sleep(500ms);");
+    owner.say(CHANGES);
+    user.connection().close();
+    assertEquals(Integer.parseInt(before) - 1, Integer.parseInt(owner.say("sleep(1s);" + CHANGES)));
+  }
+
+  @Test
+  void theHookOfAClientThatHasLeftIsStillCalled() {
+    user.say("robot.&speed.notifyChange(closure () { sleep(10ms); called });");
+    owner.say("robot.speed = 5; sleep(1s);");
+    user.connection().close();
+    owner.say("sleep(1s); robot.speed = 6; sleep(1s);");
+    assertEquals("2", owner.say("calls;"));
+  }
+
+  /** Disowned, it is meant to go on, with all that it begins. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "at (robot.plain > 5) { sleep(10ms); called };",
+        "whenever (robot.plain > 5) { sleep(100s); called };",
+        "at (robot.plain > 5) detach({ sleep(10ms); called });",
+        "{ waituntil (robot.plain > 5); sleep(10ms); called };",
+        "at ((robot.plain > 5) ~ 10ms) { sleep(10ms); called };",
+      })
+  void theConditionOfAClientThatHasLeftStillCounts(String code) {
+    user.say("disown({ " + code + " }) | sleep(1s);");
+    user.connection().close();
+    owner.say("sleep(1s); robot.plain = 6; sleep(150s);");
+    assertEquals("1", owner.say("calls;"));
+  }
+
+  /** Who may do less does not keep the kernel from reading a variable for its subscribers. */
+  @Test
+  void theHookOfAGuestDoesNotHoldUpTheReadingOfAVariable() {
+    TestClient maker = new TestClient(kernel, Role.OWNER);
+    maker.say(
+        """
+        robot.&speed.notifyAccess(closure () { called });
+        robot.&speed.notifyChange(closure () { 1 });
+        """);
+    user.say("robot.&speed.notifyAccess(closure () { sleep(inf) });");
+    owner.say("sleep(1s); calls = 0;");
+    assertTrue(Integer.parseInt(owner.say("sleep(1s); calls;")) > 1);
+  }
+}
