@@ -58,12 +58,18 @@ public final class MemoryGate {
     armed = true;
   }
 
-  /** A tick begins at that time of the machine: simulated time does not tell what it has done. */
-  void tick(long now) {
-    if (armed && now - ticked >= PERIOD) {
+  /**
+   * A tick begins at that time of the machine: simulated time does not tell what it has done.
+   *
+   * @return whether it may have waited
+   */
+  boolean tick(long now) {
+    boolean due = armed && now - ticked >= PERIOD;
+    if (due) {
       ticked = now;
       pass();
     }
+    return due;
   }
 
   /** How many bytes may still be allocated before the next {@link #pass}. */

@@ -499,9 +499,9 @@ public final class Scheduler {
     long now = time.now();
     yields.beginTick(now);
     // To read the clock takes a tenth of the time of a short tick.
-    memory.gate().tick(clock.isReal() ? time.read() : machine.now());
-    boolean hasMore = inbox.isFilled() || timers.next() <= now || !stops.isEmpty();
-    if (hasMore) {
+    boolean delayed = memory.gate().tick(clock.isReal() ? time.read() : machine.now());
+    if (inbox.isFilled() || timers.next() <= now || !stops.isEmpty()) {
+      delayed = true;
       meter.turnOf(null);
     }
     inbox.take(clock, now);
@@ -525,7 +525,7 @@ public final class Scheduler {
     }
     time.countTick();
     // Nobody is to blame for what was done before the jobs.
-    rounds.begin(hasMore ? clock.now() : time.read());
+    rounds.begin(delayed ? clock.now() : time.read());
     return true;
   }
 
