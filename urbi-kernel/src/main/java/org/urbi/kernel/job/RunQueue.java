@@ -13,7 +13,6 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.RandomNumbers;
 
 /**
  * The jobs that can run, in the order in which they became runnable. A round gives each of them one
@@ -31,7 +30,7 @@ import org.urbi.kernel.time.RandomNumbers;
  */
 class RunQueue {
   /** How long a round may take while others wait, in nanoseconds. */
-  private static final long SLICE = 5_000_000;
+  static final long SLICE = 5_000_000;
 
   /** How long a round may take, in nanoseconds, when a timer is due: the next round serves it. */
   private static final long SHORT_SLICE = 1_000_000;
@@ -57,32 +56,20 @@ class RunQueue {
    */
   private static final int JOBS_PER_LOOK = 8;
 
-  /** How long the processor time is taken to pass as fast as all time, in nanoseconds. */
-  private static final long WORK_LOOK = 100_000;
-
-  /** Who takes less time in a round, in nanoseconds, delays nobody and is hardly ever to blame. */
-  private static final long LITTLE = SLICE / 10;
-
-  /** Only a hundredth of that part of each turn counts, when lots are drawn for who is to blame. */
-  private static final long LITTLE_COUNTS = 100;
-
   /**
    * A lobby of which jobs that have had their turn can run again goes on in the same round so long.
    */
-  private static final long GOES_ON = LITTLE / 2;
+  private static final long GOES_ON = Blame.LITTLE / 2;
 
   /** In a recording: not the round is over, but the turn of the current lobby. */
   private static final int TURN_OVER = Integer.MAX_VALUE;
-
-  /** No lobby: behind all indexes. */
-  private static final int MACHINE = Integer.MAX_VALUE;
 
   private final Clock clock;
   private final Timers timers;
   private final Inbox inbox;
   private final Journal journal;
-  private final LongSupplier worked;
   private final boolean counted;
+  private final Blame blame;
   private final JobList together = new JobList();
 
   /**
@@ -105,9 +92,6 @@ class RunQueue {
 
   private Share current = nobody;
 
-  /** The index in {@link #served} of the current one. */
-  private int turn;
-
   /** Whose job has run last in this round. */
   private @Nullable Budget last;
 
@@ -126,45 +110,10 @@ class RunQueue {
   private long roundBegan;
   private long looked;
 
-  /** When the turn of the current lobby began. */
-  private long turnBegan;
-
-  /** The processor time when the turn of the current lobby began, or before. */
-  private long workedBefore;
-
-  /** The processor time when it was read last. */
-  private long workedAtLook;
-
-  /** When the processor time was read last. */
-  private long workLooked;
-
-  /** How long the turn of the current lobby has taken, without what the machine did besides. */
-  private long turnTook;
-
-  /** How many lots, each for a nanosecond that counts, the current lobby has in its turn. */
-  private long turnLots;
-
-  /** For how long it did not run in its turn, because the machine did something else. */
-  private long turnLost;
-
-  /** How many lots all lobbies that have had a turn in this round have together. */
-  private long drawn;
-
   /** Whether the jobs before the last reading of the clock took long. */
   private boolean slow;
 
   private long sharesMade;
-
-  private final RandomNumbers lots = new RandomNumbers();
-
-  /** Whom to blame when this round is cut short: an index in {@link #served}, or the machine. */
-  private int culprit;
-
-  /** One of those who took little time in this round; an index, too, or nobody. */
-  private int modest;
-
-  /** How many of them there are. */
-  private int modestOnes;
 
   /** Whether a job that was started in this round waits behind jobs of its lobby. */
   private boolean elsewhere;
@@ -183,7 +132,7 @@ class RunQueue {
    */
   RunQueue(Clock clock, LongSupplier worked, Timers timers, Inbox inbox, Journal journal) {
     this.clock = clock;
-    this.worked = worked;
+    this.blame = new Blame(worked);
     this.timers = timers;
     this.inbox = inbox;
     this.journal = journal;
@@ -324,10 +273,7 @@ class RunQueue {
     jobs = 0;
     last = null;
     fresh = 0;
-    culprit = MACHINE;
-    modest = MACHINE;
-    modestOnes = 0;
-    drawn = 0;
+    blame.beginRound();
     if (!rushing) {
       left = together.size();
       return;
@@ -335,8 +281,7 @@ class RunQueue {
     rounds++;
     elsewhere = false;
     if (cuttable) {
-      workedAtLook = worked.getAsLong();
-      workLooked = roundBegan;
+      blame.beginLook(roundBegan);
     }
     separate();
     while (!served.isEmpty()) {
@@ -414,12 +359,7 @@ class RunQueue {
     }
     if (next != current) {
       endTurn();
-      turn = served.size();
-      turnBegan = looked;
-      workedBefore = workedAtLook;
-      turnTook = 0;
-      turnLots = 0;
-      turnLost = 0;
+      blame.beginTurn(served.size(), looked);
       served.add(next);
       current = round.remove();
       left = current.jobs.size();
@@ -442,7 +382,7 @@ class RunQueue {
     if (!cuttable) {
       return false;
     }
-    boolean over = clock.now() - turnBegan >= GOES_ON;
+    boolean over = clock.now() - blame.turnBegan() >= GOES_ON;
     if (journal.cutsRound(++jobs, over ? TURN_OVER : NOBODY) != NOBODY) {
       return false;
     }
@@ -475,17 +415,13 @@ class RunQueue {
     if (found == NOBODY) {
       return false;
     }
-    int places = nobodysIndex() + 1;
-    culprit = found % places;
-    modest = found / places;
+    blame.settle(found, nobodysIndex());
     return true;
   }
 
-  /** Who is to blame for this round, and who is not at all, as one number. */
   private int verdict() {
     endTurn();
-    int most = nobodysIndex();
-    return Math.min(modest, most) * (most + 1) + Math.min(culprit, most);
+    return blame.verdict(nobodysIndex());
   }
 
   /** Before a rush, the index 0 is that of the lobby that ran last. */
@@ -494,19 +430,19 @@ class RunQueue {
   }
 
   private void judge() {
-    if (culprit < served.size()) {
-      blame(served.get(culprit));
+    if (blame.culprit() < served.size()) {
+      blame(served.get(blame.culprit()));
     }
-    if (modest < served.size()) {
-      Share share = served.get(modest);
+    if (blame.modest() < served.size()) {
+      Share share = served.get(blame.modest());
       share.roundsCut = Math.min(share.roundsCut, Math.max(share.roundsCut - 1, floor - CREDIT));
     }
   }
 
   /** The current lobby has had its turn. */
   private void endTurn() {
-    if (current != nobody && turnTook < LITTLE && lots.below(++modestOnes) == 0) {
-      modest = turn;
+    if (current != nobody) {
+      blame.endTurn();
     }
   }
 
@@ -514,47 +450,13 @@ class RunQueue {
     long taken = now - looked;
     long all = now - roundBegan;
     if (rushing) {
-      drawLots(now);
+      blame.look(now);
     } else {
-      culprit = taken < LITTLE ? MACHINE : 0;
+      blame.lookTogether(taken);
     }
     slow = taken >= SHORT_SLICE;
     looked = now;
     return all >= (timers.next() <= now ? SHORT_SLICE : SLICE);
-  }
-
-  /**
-   * The turn of the current lobby lasts until now: its time and that of the machine count. To read
-   * the processor time takes longer than a short job.
-   */
-  private void drawLots(long now) {
-    long time = now - turnBegan;
-    long own = time;
-    if (time >= LITTLE && workedBefore != HoldWatchdog.UNKNOWN) {
-      if (now - workLooked >= WORK_LOOK) {
-        workedAtLook = worked.getAsLong();
-        workLooked = now;
-      }
-      own = Math.min(time, workedAtLook - workedBefore + now - workLooked);
-    }
-    turnTook = own;
-    long all = lotsFor(own);
-    draw(Math.max(0, all - turnLots), turn);
-    draw(Math.max(0, time - own - turnLost), MACHINE);
-    turnLots = Math.max(turnLots, all);
-    turnLost = Math.max(turnLost, time - own);
-  }
-
-  /** Gives somebody that many more lots; each lot of the round is as likely to be drawn. */
-  private void draw(long more, int whose) {
-    drawn += more;
-    if (more > 0 && lots.below(drawn) < more) {
-      culprit = whose;
-    }
-  }
-
-  private static long lotsFor(long time) {
-    return Math.min(time, LITTLE) / LITTLE_COUNTS + Math.max(0, time - LITTLE);
   }
 
   private void blame(Share share) {
@@ -565,7 +467,7 @@ class RunQueue {
     left = 0;
     rushing = true;
     separate();
-    if (last != null && culprit == 0) {
+    if (last != null && blame.culprit() == 0) {
       blame(shareOf(last));
     }
   }
