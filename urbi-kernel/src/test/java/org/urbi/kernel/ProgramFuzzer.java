@@ -90,7 +90,8 @@ final class ProgramFuzzer {
     interrupted += end.interrupted() ? 1 : 0;
     exhausted += (int) first.stream().filter(ProgramKernel.Outcome::exhausted).count();
     List<ProgramKernel.Outcome> second = outcomes(texts.subList(0, comparable(first)));
-    for (int i = 0; i < comparable(second); i++) {
+    int compared = comparable(second);
+    for (int i = 0; i < compared; i++) {
       String difference = difference(first.get(i).output(), second.get(i).output());
       if (difference != null) {
         return new Finding(i, "not the same twice", difference);

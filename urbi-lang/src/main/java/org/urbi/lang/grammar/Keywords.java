@@ -71,7 +71,7 @@ public final class Keywords {
       Set.of("at", "every", "for", "foreach", "loop", "loopn", "while");
 
   /** What can follow the first character of a word, which a digit cannot be. */
-  static final boolean[] IN_WORD = new boolean[128];
+  private static final boolean[] IN_WORD = new boolean[128];
 
   static {
     for (char c = 0; c < IN_WORD.length; c++) {
@@ -81,7 +81,8 @@ public final class Keywords {
 
   private Keywords() {}
 
-  static boolean startsWord(char c) {
+  /** Whether a word can begin with that character. */
+  public static boolean startsWord(char c) {
     return 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || c == '_';
   }
 

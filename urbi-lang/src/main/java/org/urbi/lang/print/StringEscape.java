@@ -97,8 +97,7 @@ public final class StringEscape {
     boolean lower = !name.isEmpty();
     for (int i = 0; i < name.length(); i++) {
       char c = name.charAt(i);
-      boolean letter = 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || c == '_';
-      if (!letter && (i == 0 || c < '0' || '9' < c)) {
+      if (i == 0 ? !Keywords.startsWord(c) : !Keywords.isInWord(c)) {
         return false;
       }
       lower &= '_' <= c;
