@@ -19,8 +19,11 @@ public final class YieldCount {
    */
   private static final int MOST_LENT = 1000;
 
-  /** How long is to pass between two looks, in nanoseconds. */
-  private static final long LOOK_PERIOD = 20_000;
+  /**
+   * How long is to pass between two looks, in nanoseconds: little for a timer, and yet a program
+   * that the virtual machine still interprets does not spend a sixth of its time on looks.
+   */
+  private static final long LOOK_PERIOD = 100_000;
 
   /** How long there may be no tick at all, in nanoseconds. */
   private static final long LONGEST_TURN = 1_000_000;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
@@ -13,7 +14,10 @@ final class EqualityCache {
   private final Symbol name;
   private final Symbol equality;
   private @Nullable Shape last;
-  private @Nullable Shape before;
+
+  /** Those before, latest first. */
+  private final @Nullable Shape[] before = new Shape[3];
+
   private int epoch = -1;
   private int epochOfEquality = -1;
 
@@ -27,14 +31,27 @@ final class EqualityCache {
   }
 
   boolean has(Shape shape) {
-    return (shape == last || shape == before)
+    return (shape == last || wasBefore(shape))
         && name.epoch() == epoch
         && equality.epoch() == epochOfEquality;
   }
 
+  private boolean wasBefore(Shape shape) {
+    for (Shape known : before) {
+      if (known == shape) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void add(World world, Shape shape) {
-    boolean isValid = name.epoch() == epoch && equality.epoch() == epochOfEquality;
-    before = isValid ? last : null;
+    if (name.epoch() != epoch || equality.epoch() != epochOfEquality) {
+      Arrays.fill(before, null);
+      last = null;
+    }
+    System.arraycopy(before, 0, before, 1, before.length - 1);
+    before[0] = last;
     last = shape;
     epoch = world.remember(name);
     epochOfEquality = world.remember(equality);

@@ -130,7 +130,7 @@ class YieldCountTest {
 
   @Test
   void aLoopBorrowsWhatFitsBetweenTwoLooks() {
-    lookAfter(2500);
+    lookAfter(12_500);
     assertEquals(798, yields.borrow());
     yields.giveBack(600);
     assertEquals(199, yields.passed());
@@ -146,7 +146,7 @@ class YieldCountTest {
 
   @Test
   void whoOnlyAsksGetsNoMoreBecauseALoopBorrowed() {
-    lookAfter(2500);
+    lookAfter(12_500);
     assertEquals(798, yields.borrow());
     yields.giveBack(788);
     assertEquals(88, passing());
@@ -164,7 +164,7 @@ class YieldCountTest {
 
   @Test
   void aLoopBorrowsNoMoreThanOthersGetWhereTheyAreSlow() {
-    lookAfter(100_000);
+    lookAfter(500_000);
     assertEquals(18, yields.borrow());
     yields.endGrant();
     yields.grant(0);
