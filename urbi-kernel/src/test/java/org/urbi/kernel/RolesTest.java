@@ -97,6 +97,9 @@ class RolesTest extends RolesFixture {
         "Lobby.instances[1].echo(\"I am the system\");",
         "Lobby.instances[1].connectionTag.stop;",
         "Lobby.instances[1].connectionTag.freeze;",
+        "Logger.Levels.setSlot(\"x\", 1);",
+        "Logger.Levels.values << 5;",
+        "Logger.Levels.Log.setSlot(\"asString\", 1);",
         "for (var j : System.jobs) j.terminate;"
       })
   void whatIsTheOwnersIsRefused(String code) {

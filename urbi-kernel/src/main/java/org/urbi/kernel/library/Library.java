@@ -21,10 +21,10 @@ import org.urbi.kernel.library.object.UrbiFinalizable;
 import org.urbi.kernel.library.system.EvaluateVariable;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.ClassNodes;
-import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.SlotNames;
 import org.urbi.kernel.object.Symbol;
@@ -112,14 +112,7 @@ public final class Library {
 
   /** All this belongs to the system: the prototypes, and what their slots hold. */
   private void keep() {
-    for (UrbiObject type : types.values()) {
-      type.setOwnerLobby(values.object);
-      for (UrbiObject value : type.localSlotValues()) {
-        if (!(value instanceof Code)) {
-          value.setOwnerLobby(values.object);
-        }
-      }
-    }
+    types.values().forEach(PermissionCheck::claimForSystem);
   }
 
   /** The prototypes that exist before the library does. */

@@ -83,6 +83,17 @@ public final class PermissionCheck {
     }
   }
 
+  /** Makes an object the system's own, with what its slots hold: only owners may change it. */
+  public static void claimForSystem(UrbiObject made) {
+    UrbiObject system = made.world().values().object;
+    made.setOwnerLobby(system);
+    for (UrbiObject value : made.localSlotValues()) {
+      if (!(value instanceof Code)) {
+        value.setOwnerLobby(system);
+      }
+    }
+  }
+
   /** Refuses what needs a higher role than the caller's. */
   public static void checkRole(Frame caller, String routine, Role least) {
     if (caller.job.identity().role().compareTo(least) < 0) {

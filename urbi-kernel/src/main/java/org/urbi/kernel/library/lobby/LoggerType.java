@@ -11,7 +11,9 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
@@ -77,9 +79,20 @@ final class LoggerType {
                       Arrays.stream(LogLevel.values())
                           .map(level -> values.string(level.label()))
                           .toList()));
+      claimForSystem(known);
       prototype.addSlot(self.world().symbol("levels"), known);
     }
     return known;
+  }
+
+  /** The levels are there for all, whoever asks for them first. */
+  private static void claimForSystem(UrbiObject levels) {
+    PermissionCheck.claimForSystem(levels);
+    for (UrbiObject level : levels.localSlotValues()) {
+      if (!(level instanceof Code)) {
+        PermissionCheck.claimForSystem(level);
+      }
+    }
   }
 
   private UrbiObject report(
