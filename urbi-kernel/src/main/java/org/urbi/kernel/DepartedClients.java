@@ -171,7 +171,7 @@ final class DepartedClients {
               + Problem.LEFT_BEHIND.text(
                   reason, who.description(), who.budget().used(Resource.JOBS)));
     }
-    kernel.lobbies().closeCreated(who.budget());
+    kernel.lobbies().endAll(who.budget());
     who.lobby().endDetached(kernel.interpreter());
   }
 }

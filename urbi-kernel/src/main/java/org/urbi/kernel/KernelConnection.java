@@ -374,6 +374,7 @@ final class KernelConnection extends ConnectionParts
       kernel.departed().end(this, reason);
     } else {
       lobby().shell().evict(last);
+      kernel.lobbies().evictAll(budget());
       tell(Problem.EVICTED.text(reason));
       consumed();
     }

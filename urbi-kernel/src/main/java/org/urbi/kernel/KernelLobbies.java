@@ -1,10 +1,15 @@
 package org.urbi.kernel;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.job.EndInPieces;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -13,8 +18,18 @@ import org.urbi.kernel.trust.Role;
 
 /** The lobbies of a kernel: one for each connection, and those created by programs. */
 final class KernelLobbies implements Lobbies {
+  private static final int SWEPT_FROM = 16;
+
   private final Kernel kernel;
   private final Set<UrbiLobby> created = new LinkedHashSet<>();
+
+  /**
+   * Those that have ended, while jobs of theirs may go on, which know them: nothing else is to keep
+   * them. Swept now and then.
+   */
+  private final List<WeakReference<UrbiLobby>> ended = new ArrayList<>();
+
+  private int sweptAt = SWEPT_FROM;
 
   KernelLobbies(Kernel kernel) {
     this.kernel = kernel;
@@ -60,16 +75,58 @@ final class KernelLobbies implements Lobbies {
     return made[0];
   }
 
-  /** Closes those that share that budget, which is that of a client. */
-  void closeCreated(Budget budget) {
-    UrbiLobby.closeAll(
-        kernel.scheduler(), created.stream().filter(lobby -> lobby.budget() == budget).toList());
+  /**
+   * Ends those that share that budget, which is that of a client that has left, with all that they
+   * have left behind.
+   */
+  void endAll(Budget budget) {
+    end(created, budget, lobby -> lobby.endForGood(kernel.interpreter()));
+    endLeft(budget);
+  }
+
+  /**
+   * Ends what those do that share that budget, which is that of a client, and what those have left
+   * behind that have ended.
+   */
+  void evictAll(Budget budget) {
+    end(created, budget, lobby -> lobby.shell().evict(lobby.shell().lastStatement()));
+    endLeft(budget);
+  }
+
+  private void endLeft(Budget budget) {
+    List<UrbiLobby> left = new ArrayList<>();
+    for (WeakReference<UrbiLobby> each : ended) {
+      UrbiLobby lobby = each.get();
+      if (lobby != null) {
+        left.add(lobby);
+      }
+    }
+    end(left, budget, lobby -> lobby.endDetached(kernel.interpreter()));
+  }
+
+  private void end(Collection<UrbiLobby> all, Budget budget, Consumer<UrbiLobby> how) {
+    EndInPieces.begin(
+        kernel.scheduler(),
+        all.stream().filter(lobby -> lobby.budget() == budget).toList(),
+        lobby -> {
+          how.accept(lobby);
+          return List.of();
+        });
   }
 
   private void gone(UrbiLobby lobby) {
     if (created.remove(lobby) && !kernel.isStopping()) {
       lobby.disconnected(kernel.interpreter());
+      ended.add(new WeakReference<>(lobby));
+      if (ended.size() > sweptAt) {
+        ended.removeIf(other -> isOver(other.get()));
+        sweptAt = Math.max(SWEPT_FROM, 2 * ended.size());
+      }
     }
+  }
+
+  private static boolean isOver(@Nullable UrbiLobby lobby) {
+    return lobby == null || lobby.hasEnded() && !lobby.hasDetached();
   }
 
   @Override

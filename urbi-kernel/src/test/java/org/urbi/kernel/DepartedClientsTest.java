@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.trust.Role;
 
@@ -131,6 +133,50 @@ class DepartedClientsTest {
     judge.say("sleep(2s);");
     visit("jobs=100", sleepers(70));
     assertEquals(71, jobs());
+  }
+
+  /** They are closed with the client, so that only its budget knows of them. */
+  @ParameterizedTest
+  @CsvSource({
+    "OWNER, for (80) detach({ try { sleep(inf) } finally { loop { sleep(inf) } } })",
+    "USER, for (80) detach({ try { sleep(inf) } finally { loop { sleep(inf) } } })",
+    "OWNER, for& (80) { try { sleep(inf) } finally { loop { sleep(inf) } } }",
+    "USER, for& (80) { try { sleep(inf) } finally { loop { sleep(inf) } } }",
+    "OWNER, for (80) disown({ sleep(inf) })",
+    "USER, for (80) disown({ sleep(inf) })",
+  })
+  void whatIsLeftOfLobbiesThatItHasMadeEndsToo(Role role, String left) {
+    TestClient client = new TestClient(kernel, role, "jobs=100");
+    client.say(
+        "var made = Lobby.create|; made.receive(\""
+            + left
+            + ";\"); sleep(1s); made.quit; sleep(1s);");
+    leave(client);
+    judge.say("sleep(2s);");
+    visit("jobs=100", sleepers(30));
+    judge.say("sleep(2s);");
+    visit("jobs=100", "1|;");
+    assertEquals(31, jobs());
+  }
+
+  /** The lobbies that it has made have its budget. */
+  @Test
+  void whoeverIsEvictedEndsInAllItsLobbies() {
+    TestClient client = visitor("jobs=100");
+    client.say(
+        """
+        var made = Lobby.create|;
+        made.receive("for (10) detach({ sleep(inf) });");
+        var over = Lobby.create|;
+        over.receive("for (10) detach({ try { sleep(inf) } finally { loop { sleep(inf) } } });");
+        sleep(1s); over.quit; sleep(1s);
+        """);
+    assertEquals(23, jobs());
+    ((KernelConnection) client.connection()).evict("too much");
+    judge.say("sleep(1s);");
+    assertEquals(3, jobs());
+    client.say("made.receive(\"detach({ sleep(inf) });\");");
+    assertEquals(4, jobs(), "it may go on");
   }
 
   @Test

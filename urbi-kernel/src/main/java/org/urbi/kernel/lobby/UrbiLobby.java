@@ -99,6 +99,17 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted,
     }
   }
 
+  /** Ends all that it does, and what is left of it: if it was ended before, what lingers, too. */
+  public void endForGood(Interpreter interpreter) {
+    boolean lingers = hasLeft();
+    shell().close();
+    if (lingers) {
+      endDetached(interpreter);
+    } else {
+      detachedTag.abandon(interpreter.scheduler(), interpreter.values().voidObject);
+    }
+  }
+
   /** The name of its {@link #connectionTag}, which identifies it for users. */
   public String name() {
     return name;
@@ -220,19 +231,14 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted,
 
   /** Ends the lobbies that are to end with it. */
   void closeCreated(Scheduler scheduler) {
-    closeAll(scheduler, created);
-    created.clear();
-  }
-
-  /** Ends lobbies, and those that are to end with them. */
-  public static void closeAll(Scheduler scheduler, Collection<UrbiLobby> all) {
     EndInPieces.begin(
         scheduler,
-        all,
+        created,
         lobby -> {
           lobby.shell().closeAlone();
           return lobby.created;
         });
+    created.clear();
   }
 
   /** Whether the connection is open. A condition that asks is evaluated again when it closes. */
