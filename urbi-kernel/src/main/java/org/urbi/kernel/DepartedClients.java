@@ -12,6 +12,7 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.time.RateLimit;
 
 /**
  * Clients that have left while jobs of theirs go on: jobs that were detached from the connection,
@@ -23,8 +24,15 @@ final class DepartedClients {
   /** How long jobs may take to end, in nanoseconds: until then they are not counted. */
   private static final long GRACE = 1_000_000_000;
 
+  /**
+   * How many lines in a second tell of what was ended: of those whose functions are called again
+   * and again, it may be ended each time.
+   */
+  private static final int MOST_TOLD = 100;
+
   private final Kernel kernel;
   private final KernelLog log;
+  private final RateLimit told = new RateLimit(MOST_TOLD);
   private final Budget common = new Budget();
 
   /** The clients whose jobs go on. */
@@ -77,6 +85,7 @@ final class DepartedClients {
       adopt(who, now + GRACE);
     } else {
       leaving.add(new Leaving(new WeakReference<>(who), now));
+      who.budget().whenUseChanges(() -> adoptIfBack(who, now + GRACE));
     }
     for (Leaving next = leaving.peek();
         next != null && now - next.since >= GRACE;
@@ -89,15 +98,31 @@ final class DepartedClients {
     }
   }
 
+  /**
+   * A function that it has left behind may be called at any time, as a hook on a variable is, in a
+   * job: from then on it counts as if it had left that job.
+   */
+  private void adoptIfBack(KernelConnection who, long settled) {
+    if (who.budget().used(Resource.JOBS) > 0 && kernel.scheduler().now() - settled >= 0) {
+      adopt(who, settled);
+    }
+  }
+
   private void adopt(KernelConnection who, long settled) {
+    if (known.containsKey(who)) {
+      return;
+    }
     State state = new State();
     state.settled = settled;
     known.put(who, state);
+    who.remember();
     kernel.memory().add(who);
-    common.setLimits(who.limits());
     Budget budget = who.budget();
     budget.whenUseChanges(() -> forgetIfOver(who));
-    budget.join(common);
+    if (budget.account() != common) {
+      common.setLimits(who.limits());
+      budget.join(common);
+    }
   }
 
   private void forgetIfOver(KernelConnection who) {
@@ -106,6 +131,8 @@ final class DepartedClients {
         && known.remove(who) != null) {
       kernel.memory().remove(who);
       who.forget();
+      long now = kernel.scheduler().now();
+      who.budget().whenUseChanges(() -> adoptIfBack(who, now));
     }
   }
 
@@ -164,8 +191,9 @@ final class DepartedClients {
       return;
     }
     state.ending = true;
-    state.settled = kernel.scheduler().now() + GRACE;
-    if (log.shows(LogLevel.LOG)) {
+    long now = kernel.scheduler().now();
+    state.settled = now + GRACE;
+    if (log.shows(LogLevel.LOG) && told.take(now, 1)) {
       log.write(
           "urbi: "
               + Problem.LEFT_BEHIND.text(

@@ -330,6 +330,11 @@ final class KernelConnection extends ConnectionParts
     }
   }
 
+  /** Takes messages again: jobs run for it although its client is gone. */
+  void remember() {
+    kernel.inbox().register(number, this);
+  }
+
   private void received(String bytes) {
     if (finished) {
       pending.set(0);

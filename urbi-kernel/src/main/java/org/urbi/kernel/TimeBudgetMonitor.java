@@ -3,6 +3,7 @@ package org.urbi.kernel;
 import java.util.Collection;
 import java.util.Map;
 import java.util.WeakHashMap;
+import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
@@ -22,7 +23,10 @@ final class TimeBudgetMonitor {
   private final Collection<KernelConnection> connections;
   private final DepartedClients departed;
   private volatile boolean over;
-  private final Map<Budget, Long> before = new WeakHashMap<>();
+  private final Map<Budget, Look> before = new WeakHashMap<>();
+
+  /** For how long jobs with a budget had run at some time, both in nanoseconds. */
+  private record Look(long taken, long at) {}
 
   /**
    * @param connections all there are, at any time
@@ -45,7 +49,6 @@ final class TimeBudgetMonitor {
   }
 
   private void watch() {
-    long since = clock.now();
     while (!over) {
       try {
         Thread.sleep(WINDOW_MILLISECONDS);
@@ -53,12 +56,10 @@ final class TimeBudgetMonitor {
         return;
       }
       long now = clock.now();
-      long window = now - since;
       for (KernelConnection each : connections) {
-        guarded(() -> check(each, window));
+        guarded(() -> check(each, now));
       }
-      guarded(() -> checkLeftBehind(window));
-      since = now;
+      guarded(() -> checkLeftBehind(now));
     }
   }
 
@@ -66,37 +67,45 @@ final class TimeBudgetMonitor {
     FailureLog.THREADS.guarding("the watch over budgets", check).run();
   }
 
-  private void check(KernelConnection connection, long window) {
+  private void check(KernelConnection connection, long now) {
     long most = connection.budget().limit(Resource.TIME);
-    if (takenOf(connection) > window / PERCENT * most) {
+    if (percentOf(connection, now) > most) {
       connection.evict(Problem.BUDGET_EXHAUSTED.text(most, Resource.TIME.unit()));
     }
   }
 
   /** What clients who have left have left behind takes together as much as one client may. */
-  private void checkLeftBehind(long window) {
+  private void checkLeftBehind(long now) {
     long most = departed.budget().limit(Resource.TIME);
-    long all = 0;
-    long largest = 0;
+    double all = 0;
+    double largest = 0;
     KernelConnection culprit = null;
     for (KernelConnection each : departed.all()) {
-      long taken = takenOf(each);
+      double taken = percentOf(each, now);
       all += taken;
       if (taken > largest) {
         largest = taken;
         culprit = each;
       }
     }
-    if (culprit != null && all > window / PERCENT * most) {
+    if (culprit != null && all > most) {
       culprit.evict(Problem.COMMON_BUDGET.text(most, Resource.TIME.unit()));
     }
   }
 
-  /** For how long its jobs have run since the last look, in nanoseconds. */
-  private long takenOf(KernelConnection connection) {
+  /**
+   * How much of the time its jobs have had since the last look at it. That may be long ago: who has
+   * left is looked at only while jobs run for it.
+   */
+  private double percentOf(KernelConnection connection, long now) {
     Budget budget = connection.budget();
     long taken = meter.nanoseconds(budget);
-    Long known = before.put(budget, taken);
-    return known == null ? 0 : taken - known;
+    Look known = before.put(budget, new Look(taken, now));
+    if (known == null) {
+      return 0;
+    }
+    // Who is leaving may be looked at twice at a time.
+    long window = Math.max(now - known.at, TimeUnit.MILLISECONDS.toNanos(WINDOW_MILLISECONDS));
+    return PERCENT * (taken - known.taken) / window;
   }
 }

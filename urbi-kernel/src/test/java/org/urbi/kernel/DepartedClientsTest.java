@@ -179,6 +179,30 @@ class DepartedClientsTest {
     assertEquals(4, jobs(), "it may go on");
   }
 
+  /** Functions that they have hooked onto variables are called when they have left. */
+  @Test
+  void whatIsCalledForThemLaterIsInTheCommonBudget() {
+    judge.say(
+        """
+        var Global.robot = Object.new|;
+        var robot.speed = 1|;
+        UVar.new(robot, "speed")|;
+        """);
+    for (int i = 0; i < 30; i++) {
+      TestClient client = new TestClient(kernel, Role.USER, "jobs=20");
+      client.say(
+          "robot.&speed.notifyChange(closure () { for (9) detach({ sleep(inf) }); wait });"
+              .replace("wait", "sleep(inf)"));
+      leave(client);
+      judge.say("sleep(2s);");
+    }
+    for (int i = 0; i < 3; i++) {
+      judge.say("robot.speed = robot.speed + 1; sleep(2s);");
+      assertTrue(jobs() <= 21, judge.say("System.jobs.size;"));
+    }
+    assertEquals(2, kernel.departed().all().size());
+  }
+
   @Test
   void nothingIsKeptOfWhatHasEnded() {
     judge.say("var Global.go = Event.new;");
