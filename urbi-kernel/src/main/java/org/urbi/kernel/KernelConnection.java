@@ -493,7 +493,7 @@ final class KernelConnection extends ConnectionParts
     }
     kernel.connections().remove(this);
     if (own != null && !kernel.isStopping()) {
-      own.disconnected(kernel.interpreter());
+      own.disconnected(kernel.interpreter(), kernel.lobbies());
       if (!program) {
         own.budget().abandon();
         kernel.departed().left(this);

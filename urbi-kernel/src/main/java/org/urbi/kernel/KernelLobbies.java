@@ -116,7 +116,7 @@ final class KernelLobbies implements Lobbies {
 
   private void gone(UrbiLobby lobby) {
     if (created.remove(lobby) && !kernel.isStopping()) {
-      lobby.disconnected(kernel.interpreter());
+      lobby.disconnected(kernel.interpreter(), this);
       ended.add(new WeakReference<>(lobby));
       if (ended.size() > sweptAt) {
         ended.removeIf(other -> isOver(other.get()));

@@ -49,6 +49,55 @@ class LeftHooksTest extends RolesFixture {
     assertEquals(Integer.parseInt(before) - 1, Integer.parseInt(owner.say("sleep(1s);" + CHANGES)));
   }
 
+  /** Each has its reactions to those who leave called under its own tags. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "at sync (Lobby.onDisconnect?) START;",
+        "Lobby.onDisconnect.subscribe(Subscription.new(closure (gone) { START }));",
+        "at sync (Lobby.onDisconnect? if { START; true }) 1;",
+      })
+  void whatAClientsCodeHasStartedWhenOthersLeaveEndsWithTheClient(String code) {
+    int before = Integer.parseInt(owner.say("System.jobs.size;"));
+    for (Role role : new Role[] {Role.USER, Role.OWNER}) {
+      TestClient client = new TestClient(kernel, role);
+      client.say(code.replace("START", "detach({ called; sleep(inf) })"));
+      for (Role other : Role.values()) {
+        new TestClient(kernel, other).connection().close();
+      }
+      assertEquals("3", owner.say("sleep(1s); calls;"), role.toString());
+      assertEquals(before + 4, Integer.parseInt(owner.say("System.jobs.size;")), role.toString());
+      client.connection().close();
+      owner.say("sleep(1s); calls = 0;");
+      assertEquals(before, Integer.parseInt(owner.say("System.jobs.size;")), role.toString());
+    }
+  }
+
+  /** Nobody waits for the reaction of somebody else. */
+  @Test
+  void whoReactsToThoseWhoLeaveHoldsUpNobody() {
+    user.say("at sync (Lobby.onDisconnect?) sleep(inf);");
+    owner.say("at sync (Lobby.onDisconnect?(var gone)) called;");
+    new TestClient(kernel, Role.USER).connection().close();
+    assertEquals("1", owner.say("sleep(1s); calls;"));
+  }
+
+  /** It ends in the same moment, and may be ending it itself. */
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void whoLeavesWithAnExhaustedBudgetIsReportedToOthers(boolean quits) {
+    owner.say("at (Lobby.onDisconnect?(var gone)) called;");
+    TestClient client = new TestClient(kernel, Role.OWNER, "jobs=5");
+    client.say("disown({ at (Lobby.onDisconnect?) 1 }); for (4) detach({ sleep(inf) });");
+    if (quits) {
+      client.connection().send("quit;\n");
+    } else {
+      client.connection().close();
+    }
+    assertEquals("closed", client.next());
+    assertEquals("1", owner.say("sleep(1s); calls;"));
+  }
+
   @Test
   void theHookOfAClientThatHasLeftIsStillCalled() {
     user.say("robot.&speed.notifyChange(closure () { sleep(10ms); called });");

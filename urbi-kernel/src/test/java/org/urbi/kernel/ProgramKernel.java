@@ -199,7 +199,7 @@ final class ProgramKernel implements AutoCloseable {
     timer.cancel();
     lobby.shell().close();
     lobby.output().close();
-    lobby.disconnected(interpreter);
+    lobby.disconnected(interpreter, kernel.lobbies());
     int turns = 0;
     while (!jobsBesides(before).isEmpty() && turns < TURNS_TO_END) {
       watcher.yieldNow();

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
@@ -194,6 +195,50 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
         }
       }
     }
+  }
+
+  /**
+   * Emits the event when nobody's code does: each reaction begins in a job of its own lobby, under
+   * its own tags, with all that it begins, and none waits for another one.
+   *
+   * @param others gives the lobby for which those are told that are no code; on first use
+   */
+  public void emitApart(
+      Scheduler scheduler, Supplier<? extends UrbiObject> others, UrbiObject... payload) {
+    emissions.note(scheduler.now());
+    List<Subscription> left = new ArrayList<>();
+    for (Subscription subscription : new ArrayList<>(subscriptions)) {
+      if (subscription instanceof Reaction reaction) {
+        Reaction.Facts of = reaction.facts();
+        if (!of.scope().isSilent()) {
+          start(scheduler, of.lobby(), of.scope(), List.of(subscription), payload);
+        }
+      } else {
+        left.add(subscription);
+      }
+    }
+    if (!left.isEmpty()) {
+      start(scheduler, others.get(), scheduler.rootScope(), left, payload);
+    }
+  }
+
+  private void start(
+      Scheduler scheduler,
+      UrbiObject lobby,
+      TagScope scope,
+      List<Subscription> told,
+      UrbiObject[] payload) {
+    scheduler.startDetached(
+        lobby,
+        scope,
+        "at",
+        job -> {
+          for (Subscription subscription : told) {
+            if (subscriptions.contains(subscription)) {
+              flash(subscription, job, false, payload);
+            }
+          }
+        });
   }
 
   private void flash(Subscription subscription, Job emitter, boolean sync, UrbiObject[] payload) {

@@ -247,8 +247,11 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted,
     return connected && output().isOpen();
   }
 
-  /** Is no longer connected, and emits {@code Lobby.onDisconnect} for this lobby. */
-  public void disconnected(Interpreter interpreter) {
+  /**
+   * Is no longer connected, and emits {@code Lobby.onDisconnect} for this lobby: not in a job of
+   * its own, for which its budget might be exhausted.
+   */
+  public void disconnected(Interpreter interpreter, Lobbies lobbies) {
     connected = false;
     noteContentChange();
     UrbiObject event =
@@ -257,9 +260,9 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted,
             .prototype("Lobby")
             .localSlot(interpreter.world().symbol("onDisconnect"));
     if (event instanceof UrbiEvent told && told.hasSubscribers()) {
-      var scheduler = interpreter.scheduler();
-      scheduler.startDetached(
-          this, scheduler.rootScope(), "shell", job -> told.emit(job, false, this));
+      Scheduler scheduler = interpreter.scheduler();
+      // Whoever leaves may be running a job, which must not get what exhausted budgets throw.
+      scheduler.atEndOfTick(() -> told.emitApart(scheduler, lobbies::system, this));
     }
   }
 }
