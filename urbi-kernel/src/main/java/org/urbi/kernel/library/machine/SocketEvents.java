@@ -4,6 +4,8 @@ import java.util.ArrayDeque;
 import java.util.function.BooleanSupplier;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobOwner;
+import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
@@ -24,6 +26,9 @@ final class SocketEvents {
 
   private static final int STEPS = 20;
 
+  /** When to try again if the job that was to deliver could not begin, in nanoseconds. */
+  private static final long RETRY = 100_000_000;
+
   private final Interpreter interpreter;
   private final UrbiIoService service;
   private final UrbiObject lobby;
@@ -32,6 +37,9 @@ final class SocketEvents {
   private boolean open;
   private boolean fresh = true;
   private boolean delivering;
+
+  /** Whether the job that delivers has taken an event. */
+  private boolean told;
 
   /**
    * @param wanted whether there is a listener
@@ -63,22 +71,30 @@ final class SocketEvents {
   /** Delivers what is there in a job of its own, unless that is being done. */
   void deliverSoon() {
     if (!delivering) {
-      delivering = true;
-      interpreter
-          .scheduler()
-          .startDetached(
+      Job started =
+          JobOwner.start(
+              interpreter.scheduler(),
               lobby,
-              interpreter.scheduler().rootScope(),
               "socket",
               job -> {
-                try {
-                  awaitListener(job);
-                  tellAll(job, Integer.MAX_VALUE);
-                } finally {
-                  delivering = false;
-                  announce();
-                }
+                awaitListener(job);
+                tellAll(job, Integer.MAX_VALUE);
               });
+      delivering = true;
+      told = false;
+      started.onEnd(this::delivered);
+    }
+  }
+
+  /** A job that delivers has ended, perhaps before it began. */
+  private void delivered() {
+    delivering = false;
+    if (told) {
+      announce();
+    } else {
+      // Its lobby may have as many jobs as it is allowed to.
+      Scheduler scheduler = interpreter.scheduler();
+      scheduler.timers().add(scheduler.now() + RETRY, this::announce);
     }
   }
 
@@ -109,6 +125,7 @@ final class SocketEvents {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
     for (int i = 0; i < maximum && !events.isEmpty(); i++) {
       SocketEvent event = events.poll();
+      told = true;
       if (events.isEmpty()) {
         service.emptied(this);
       }
