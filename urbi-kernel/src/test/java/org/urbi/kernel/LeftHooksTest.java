@@ -36,7 +36,6 @@ class LeftHooksTest extends RolesFixture {
         "robot.&speed.notifyChangeOwned(closure () { START });",
         "robot.&speed.notifyAccess(closure () { START });",
         "robot.&speed.notifyChange(closure () { 1 }); robot.&speed.notifyAccess(closure () { START });",
-        "UVar.notifyChange(closure () { 1 }); UVar.notifyAccess(closure () { START });",
         "at ({ START; robot.plain > 100 }) 1;",
         "waituntil ({ START; robot.plain > 100 }),",
         "watch ({ START; robot.plain }),",
@@ -96,6 +95,18 @@ class LeftHooksTest extends RolesFixture {
     }
     assertEquals("closed", client.next());
     assertEquals("1", owner.say("sleep(1s); calls;"));
+  }
+
+  /** It would stay for ever, and nobody but an owner could remove it. */
+  @ParameterizedTest
+  @ValueSource(strings = {"notifyChange", "notifyChangeOwned", "notifyAccess"})
+  void onlyOwnersHookThePrototypeOfVariables(String hook) {
+    String code = "UVar." + hook + "(closure () { 1 });";
+    assertRefused(user, code, hook + ": ");
+    assertRefused(observer, code, hook + ": ");
+    assertEquals("1", owner.say(code));
+    assertEquals("1", observer.say("UVar.clone." + hook + "(closure () { 1 });"));
+    assertEquals("1", observer.say("robot.&speed." + hook + "(closure () { 1 });"));
   }
 
   @Test

@@ -87,18 +87,31 @@ final class UVarType {
 
   // ------------------------------------------------------------------ hooks
 
+  /**
+   * Everybody may hook a variable, but not the prototype: that has no value of which somebody would
+   * have to know, and what is hooked there stays until an owner removes it.
+   */
+  private static void checkHook(Frame frame, String routine, UrbiUVar hooked) {
+    if (hooked == hooked.world().prototype("UVar")) {
+      PermissionCheck.checkChange(frame, routine, hooked);
+    }
+  }
+
   @Builtin(doc = "Calls a function at each change; returns a handle to remove it.")
   static double notifyChange(Frame frame, UrbiUVar self, UrbiObject onChange) {
+    checkHook(frame, "notifyChange", self);
     return self.notifyChange(frame.interpreter(), Hook.calling(frame, onChange));
   }
 
   @Builtin(doc = "As notifyChange, for commands to a variable that has a sensed value as well.")
   static double notifyChangeOwned(Frame frame, UrbiUVar self, UrbiObject onChangeOwned) {
+    checkHook(frame, "notifyChangeOwned", self);
     return self.notifyChangeOwned(Hook.calling(frame, onChangeOwned));
   }
 
   @Builtin(doc = "Calls a function at each access; returns a handle to remove it.")
   static double notifyAccess(Frame frame, UrbiUVar self, UrbiObject onAccess) {
+    checkHook(frame, "notifyAccess", self);
     return self.notifyAccess(frame, Hook.calling(frame, onAccess));
   }
 
