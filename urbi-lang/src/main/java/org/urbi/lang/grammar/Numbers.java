@@ -12,6 +12,9 @@ final class Numbers {
 
   static final Value INVALID = new Value(Double.NaN, false);
 
+  /** A hexadecimal number of more digits is infinite; to read it takes their square in time. */
+  private static final int MOST_HEXADECIMAL_DIGITS = (Double.MAX_EXPONENT + 1) / 4;
+
   private Numbers() {}
 
   static Value parse(String text) {
@@ -45,7 +48,15 @@ final class Numbers {
     if (digits.isEmpty() || !digits.chars().allMatch(c -> Character.digit(c, 16) >= 0)) {
       return INVALID;
     }
-    return new Value(new BigInteger(digits, 16).doubleValue(), false);
+    int first = 0;
+    while (first < digits.length() - 1 && digits.charAt(first) == '0') {
+      first++;
+    }
+    double value =
+        digits.length() - first > MOST_HEXADECIMAL_DIGITS
+            ? Double.POSITIVE_INFINITY
+            : new BigInteger(digits.substring(first), 16).doubleValue();
+    return new Value(value, false);
   }
 
   /** Where the unit starts: after the digits and the exponent. */

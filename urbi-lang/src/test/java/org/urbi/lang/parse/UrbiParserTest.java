@@ -108,6 +108,19 @@ class UrbiParserTest {
     assertEquals(value, number.value(), 1e-12);
   }
 
+  /** All digits of four million would take minutes, in which nobody could end it. */
+  @Test
+  void readsHexadecimalNumbersOfManyDigits() {
+    assertEquals(42, hexadecimal("0".repeat(2000) + "2a"));
+    assertEquals(Math.scalb(1.0, 1023), hexadecimal("7" + "f".repeat(255)));
+    assertEquals(Double.POSITIVE_INFINITY, hexadecimal("f".repeat(256)));
+    assertEquals(Double.POSITIVE_INFINITY, hexadecimal("f".repeat(4_000_000)));
+  }
+
+  private static double hexadecimal(String digits) {
+    return assertInstanceOf(Ast.FloatLiteral.class, one("0x" + digits)).value();
+  }
+
   @Test
   void readsStrings() {
     String[][] cases = {
