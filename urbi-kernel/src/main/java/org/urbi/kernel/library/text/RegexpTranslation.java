@@ -9,8 +9,8 @@ import java.util.regex.PatternSyntaxException;
  *
  * <p>What can be ended is what looks at the text. The expression of a hostile client need not: an
  * empty group that is to be there a billion times, or many anchors each of which may be there or
- * not. So each group begins by looking at something, and so does what follows an anchor that is
- * repeated; what is looked at is always there.
+ * not. So each group begins by looking at something, and so does each repetition of an anchor, and
+ * of nothing, as behind another quantifier ({@code a{2}{3}}); what is looked at is always there.
  */
 final class RegexpTranslation {
   /**
@@ -27,6 +27,7 @@ final class RegexpTranslation {
 
   private static final String ANCHORS = "bBAGzZk";
   private static final String BRACED = "xpPNb";
+  private static final String SPACES = " \t\n\013\f\r";
   private static final String FLAGS = "idmsuxU-";
 
   private final String text;
@@ -82,22 +83,24 @@ final class RegexpTranslation {
         quantifier();
       }
       case '^' -> {
+        int begins = out.length();
         at++;
         out.append(BEGINNING);
-        lookIfRepeated();
+        anchored(begins);
       }
       case '$' -> {
+        int begins = out.length();
         copy();
-        lookIfRepeated();
+        anchored(begins);
       }
-      case '#' -> {
-        if (spaced) {
-          copyThrough("\n");
-        } else {
+      case '{' -> nothing();
+      default -> {
+        int begins = at;
+        skipSpaces();
+        if (at == begins) {
           literal();
         }
       }
-      default -> literal();
     }
   }
 
@@ -106,13 +109,22 @@ final class RegexpTranslation {
     quantifier();
   }
 
-  private void lookIfRepeated() {
+  /** Nothing, which is repeated. */
+  private void nothing() {
+    out.append(LOOK);
+    quantifier();
+  }
+
+  /** An anchor, which begins there in the translation, may be repeated. */
+  private void anchored(int begins) {
+    int ends = out.length();
     if (quantifier()) {
-      out.append(LOOK);
+      out.insert(ends, LOOK + ")").insert(begins, "(?:");
     }
   }
 
   private void escape() {
+    int begins = out.length();
     copy();
     if (at == text.length()) {
       return;
@@ -120,7 +132,14 @@ final class RegexpTranslation {
     char c = text.charAt(at);
     copy();
     if (c == 'Q') {
+      int quoted = at;
       copyThrough("\\E");
+      boolean empty = at == quoted + 2;
+      skipSpaces();
+      if (empty && isAt('{')) {
+        nothing();
+        return;
+      }
     } else if (BRACED.indexOf(c) >= 0 && isAt('{')) {
       copyThrough("}");
     } else if (c == 'k') {
@@ -131,7 +150,7 @@ final class RegexpTranslation {
       copy();
     }
     if (reference || ANCHORS.indexOf(c) >= 0) {
-      lookIfRepeated();
+      anchored(begins);
     } else {
       quantifier();
     }
@@ -205,7 +224,7 @@ final class RegexpTranslation {
     while (spaced && at < text.length()) {
       if (isAt('#')) {
         copyThrough("\n");
-      } else if (Character.isWhitespace(text.charAt(at))) {
+      } else if (SPACES.indexOf(text.charAt(at)) >= 0) {
         copy();
       } else {
         return;

@@ -25,8 +25,11 @@ import org.urbi.lang.print.StringEscape;
     doc = "A regular expression, with the syntax of Perl.",
     needs = Permission.NOTHING)
 final class RegexpType {
-  /** Compiling a longer one would take long, and cannot be ended. */
-  private static final int LONGEST_EXPRESSION = 1 << 16;
+  /**
+   * Compiling a longer one would take long, and cannot be ended: where it looks behind, the JDK
+   * looks through the rest of it each time.
+   */
+  private static final int LONGEST_EXPRESSION = 1 << 14;
 
   private static final int SHOWN_OF_LONG = 100;
 
