@@ -371,6 +371,16 @@ class LongWorkTest {
     }
   }
 
+  /** A collection of garbage goes through the whole stack: the deeper it is, the longer. */
+  @Test
+  void groupsWithinThemselvesAreNotGoneIntoForLong() {
+    String deep =
+        "{ var o = Object.new; var o.calls = 0; function o.step() { calls++ };"
+            + " var g = Group.new(o); g << g;"
+            + " try { g.step } catch (var e) { [e.message, o.calls <= 10000] } }";
+    assertEquals("[stack space exhausted, true]", KERNEL.eval(deep + ";").toString());
+  }
+
   /** Nobody computes the zeros behind what a number of the machine has. */
   @Test
   void ofManyDecimals() {

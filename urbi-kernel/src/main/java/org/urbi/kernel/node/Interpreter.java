@@ -373,6 +373,17 @@ public final class Interpreter {
     return answer(caller, site, target, message, found, arguments);
   }
 
+  /** The same for what may send it on, even to itself: that may be nested only so deeply. */
+  public UrbiObject sendOn(
+      Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
+    beginSend(caller);
+    try {
+      return send(caller, site, target, message, arguments);
+    } finally {
+      caller.job.endSend();
+    }
+  }
+
   /**
    * What a message is answered with.
    *

@@ -150,7 +150,7 @@ final class GroupType {
       results.add(
           frame
               .interpreter()
-              .send(frame, site, member, symbol(self, site.calledName()), arguments));
+              .sendOn(frame, site, member, symbol(self, site.calledName()), arguments));
     }
     return results(self, results);
   }
