@@ -9,12 +9,15 @@ import java.nio.file.StandardWatchEventKinds;
 import java.nio.file.WatchEvent;
 import java.nio.file.WatchKey;
 import java.nio.file.WatchService;
-import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
@@ -38,7 +41,7 @@ public final class DirectoryWatch implements Closeable {
 
   private static final class Watched {
     final Path directory;
-    final List<Integer> listeners = new ArrayList<>();
+    final Set<Integer> listeners = new LinkedHashSet<>();
     final Set<String> known;
 
     Watched(Path directory) throws IOException {
@@ -50,6 +53,7 @@ public final class DirectoryWatch implements Closeable {
   private final Outside outside;
   private final WatchService service;
   private final Map<WatchKey, Watched> watched = new LinkedHashMap<>();
+  private final Queue<Integer> forgotten = new ConcurrentLinkedQueue<>();
 
   DirectoryWatch(Outside outside) throws IOException {
     this.outside = outside;
@@ -65,16 +69,38 @@ public final class DirectoryWatch implements Closeable {
    * @throws IOException when there is no such directory, or the system cannot watch more
    */
   void watch(Path directory, int listener) throws IOException {
-    WatchKey key =
-        directory.register(
-            service, StandardWatchEventKinds.ENTRY_CREATE, StandardWatchEventKinds.ENTRY_DELETE);
     synchronized (watched) {
+      forgetForgotten();
+      WatchKey key =
+          directory.register(
+              service, StandardWatchEventKinds.ENTRY_CREATE, StandardWatchEventKinds.ENTRY_DELETE);
       Watched known = watched.get(key);
       if (known == null) {
         known = new Watched(directory);
         watched.put(key, known);
       }
       known.listeners.add(listener);
+    }
+  }
+
+  /** Tells that receiver no more. */
+  void forget(int listener) {
+    forgotten.add(listener);
+  }
+
+  /** The lock may be held for as long as a disk takes, for which the kernel does not wait. */
+  private void forgetForgotten() {
+    Set<Integer> gone = new HashSet<>();
+    for (Integer next = forgotten.poll(); next != null; next = forgotten.poll()) {
+      gone.add(next);
+    }
+    if (!gone.isEmpty()) {
+      watched.forEach((key, at) -> {
+        if (at.listeners.removeAll(gone) && at.listeners.isEmpty()) {
+          key.cancel();
+        }
+      });
+      watched.values().removeIf(at -> at.listeners.isEmpty());
     }
   }
 
@@ -103,6 +129,7 @@ public final class DirectoryWatch implements Closeable {
 
   private void tell(WatchKey key, List<WatchEvent<?>> events) {
     synchronized (watched) {
+      forgetForgotten();
       Watched at = watched.get(key);
       if (at == null) {
         return;

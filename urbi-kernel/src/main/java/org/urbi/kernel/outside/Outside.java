@@ -49,7 +49,7 @@ public final class Outside implements Closeable {
   private final ExecutorService threads =
       FailureLog.THREADS.pool("urbi-outside-", Duration.ofMinutes(1));
   private final Set<Closeable> open = Collections.newSetFromMap(new WeakHashMap<>());
-  private @Nullable DirectoryWatch directories;
+  private volatile @Nullable DirectoryWatch directories;
   private boolean closed;
 
   /**
@@ -176,32 +176,43 @@ public final class Outside implements Closeable {
     start(() -> FailureLog.THREADS.virtual("urbi-outside-network", task).start());
   }
 
+  /** A number for who is told of the files of directories. */
+  public int watcher(DirectoryWatch.Listener listener) {
+    return inbox().register(listener::take);
+  }
+
   /**
    * Watches the files of a directory: nothing that happens after the call is missed.
    *
+   * @param watcher the number of who is told, once for each file
    * @throws IOException when there is no such directory, or the machine watches no more of them
    */
-  public void watch(Job job, Path directory, DirectoryWatch.Listener listener) throws IOException {
-    int number = inbox().register(listener::take);
-    try {
-      outcome(
-          job,
-          endless(() -> {
-            directories().watch(confinement().followed(directory), number);
-            return null;
-          }),
-          WATCH_SPINS);
-    } catch (IOException e) {
-      inbox().forget(number);
-      throw e;
+  public void watch(Job job, Path directory, int watcher) throws IOException {
+    outcome(
+        job,
+        endless(() -> {
+          directories().watch(confinement().followed(directory), watcher);
+          return null;
+        }),
+        WATCH_SPINS);
+  }
+
+  /** Who has that number is told no more. */
+  public void endWatch(int watcher) {
+    inbox().forget(watcher);
+    DirectoryWatch watching = directories;
+    if (watching != null) {
+      watching.forget(watcher);
     }
   }
 
   private synchronized DirectoryWatch directories() throws IOException {
-    if (directories == null) {
-      directories = new DirectoryWatch(this);
+    DirectoryWatch watching = directories;
+    if (watching == null) {
+      watching = new DirectoryWatch(this);
+      directories = watching;
     }
-    return directories;
+    return watching;
   }
 
   /**

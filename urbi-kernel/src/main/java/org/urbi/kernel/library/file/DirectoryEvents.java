@@ -8,32 +8,29 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.JobOwner;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
-import org.urbi.kernel.outside.DirectoryWatch;
-import org.urbi.kernel.outside.Outside;
 
 /**
  * The events {@code fileCreated} and {@code fileDeleted} of one directory (manual, "Directory").
  * The directory is watched from the first subscription to one of them.
  */
-final class DirectoryEvents implements DirectoryWatch.Listener {
+final class DirectoryEvents {
   private final Interpreter interpreter;
-  private final Outside outside;
+  private final DirectoryWatches watches;
   private final UrbiObject lobby;
   private final UrbiDirectory directory;
   private final UrbiEvent created;
   private final UrbiEvent deleted;
   private @Nullable Path watched;
 
-  private DirectoryEvents(Frame frame, Outside outside, UrbiDirectory directory) {
+  private DirectoryEvents(Frame frame, DirectoryWatches watches, UrbiDirectory directory) {
     this.interpreter = frame.interpreter();
-    this.outside = outside;
+    this.watches = watches;
     this.lobby = frame.job().lobby();
     this.directory = directory;
     this.created = event("fileCreated");
@@ -41,8 +38,8 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   }
 
   /** Gives a directory its events. */
-  static void add(Frame frame, Outside outside, UrbiDirectory directory) {
-    new DirectoryEvents(frame, outside, directory);
+  static void add(Frame frame, DirectoryWatches watches, UrbiDirectory directory) {
+    new DirectoryEvents(frame, watches, directory);
   }
 
   private UrbiEvent event(String name) {
@@ -64,7 +61,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
     Scheduler scheduler = interpreter.scheduler();
     Job job = requireNonNull(scheduler.running(), "who subscribes is code");
     try {
-      outside.watch(job, file, this);
+      watches.add(interpreter, job, lobby, file, this);
     } catch (IOException e) {
       watched = null;
       throw interpreter
@@ -72,25 +69,30 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
           .primitive("fileCreated", Problem.CANNOT_WATCH, FileAccess.reason(e));
     }
     if (first) {
-      scheduler.pace().beginWhile(() -> created.hasSubscribers() || deleted.hasSubscribers());
+      scheduler.pace().beginWhile(this::hasSubscribers);
     }
   }
 
-  @Override
-  public void created(String name) {
-    emit(created, name);
+  private boolean hasSubscribers() {
+    return created.hasSubscribers() || deleted.hasSubscribers();
   }
 
-  @Override
-  public void deleted(String name) {
-    emit(deleted, name);
+  /** Whether anybody listens to what happens there; if not, whoever subscribes begins anew. */
+  boolean listensTo(Path file) {
+    if (!file.equals(watched)) {
+      return false;
+    }
+    if (!hasSubscribers()) {
+      watched = null;
+    }
+    return watched != null;
   }
 
-  private void emit(UrbiEvent event, String name) {
+  /** Tells of a file that has been created or deleted, in that job. */
+  void emit(Job job, boolean isNew, String name) {
+    UrbiEvent event = isNew ? created : deleted;
     if (event.hasSubscribers()) {
-      UrbiObject payload = interpreter.values().string(Utf8Text.toUrbi(name));
-      JobOwner.start(
-          interpreter.scheduler(), lobby, "directory", job -> event.emit(job, false, payload));
+      event.emit(job, false, interpreter.values().string(Utf8Text.toUrbi(name)));
     }
   }
 }

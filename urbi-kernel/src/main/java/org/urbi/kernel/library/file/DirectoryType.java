@@ -25,11 +25,11 @@ final class DirectoryType {
   private static final int FEW_NAMES = 1000;
 
   private final FileAccess files;
-  private final Outside outside;
+  private final DirectoryWatches watches;
 
   DirectoryType(FileAccess files, Outside outside) {
     this.files = files;
-    this.outside = outside;
+    this.watches = new DirectoryWatches(outside);
   }
 
   static UrbiObject newPrototype(World world) {
@@ -39,7 +39,7 @@ final class DirectoryType {
   UrbiDirectory directory(Frame frame, UrbiPath path) {
     UrbiObject prototype = frame.interpreter().world().prototype("Directory");
     UrbiDirectory made = new UrbiDirectory(prototype.cloneShape(), path);
-    DirectoryEvents.add(frame, outside, made);
+    DirectoryEvents.add(frame, watches, made);
     return made;
   }
 
@@ -67,7 +67,7 @@ final class DirectoryType {
   UrbiDirectory init(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
     FileAccess.checkNotPrototype(frame, site, self, "Directory");
     self.setPath(files.existingDirectory(frame, site, 1, name));
-    DirectoryEvents.add(frame, outside, self);
+    DirectoryEvents.add(frame, watches, self);
     return self;
   }
 
