@@ -9,6 +9,9 @@ import urbi.UValue;
 
 /** Reads the values of constants, and what fields are by default. */
 final class LiteralReader {
+  /** No number needs more characters, and to read exact ones takes their square in time. */
+  private static final int LONGEST_NUMBER = 1000;
+
   private LiteralReader() {}
 
   /**
@@ -31,6 +34,10 @@ final class LiteralReader {
   }
 
   private static UValue number(Primitive primitive, String text) {
+    if (text.length() > LONGEST_NUMBER) {
+      throw new DefinitionException(
+          "a number of " + LONGEST_NUMBER + " characters at most expected");
+    }
     try {
       UValue value =
           switch (primitive) {

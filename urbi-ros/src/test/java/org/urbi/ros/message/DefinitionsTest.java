@@ -82,6 +82,8 @@ class DefinitionsTest {
     assertTrue(problem(Dialect.ROS_1, "int32 a 5").contains("what is '5'"));
     assertTrue(problem(Dialect.ROS_2, "int8 A=200").contains("no int8"));
     assertTrue(problem(Dialect.ROS_2, "int8 A=").contains("no int8"));
+    assertTrue(
+        problem(Dialect.ROS_2, "uint64 A=" + "9".repeat(1_000_000)).contains("1000 characters"));
     assertTrue(problem(Dialect.ROS_2, "int8[2] a [1]").contains("2 elements"));
     assertTrue(problem(Dialect.ROS_2, "string<=2 a 'abc'").contains("2 bytes at most"));
     assertTrue(problem(Dialect.ROS_2, "int8[<=] a").contains("how many"));
