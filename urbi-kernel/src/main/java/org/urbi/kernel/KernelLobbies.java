@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.job.EndInPieces;
@@ -94,13 +95,7 @@ final class KernelLobbies implements Lobbies {
   }
 
   private void endLeft(Budget budget) {
-    List<UrbiLobby> left = new ArrayList<>();
-    for (WeakReference<UrbiLobby> each : ended) {
-      UrbiLobby lobby = each.get();
-      if (lobby != null) {
-        left.add(lobby);
-      }
-    }
+    List<UrbiLobby> left = ended.stream().flatMap(each -> Stream.ofNullable(each.get())).toList();
     end(left, budget, lobby -> lobby.endDetached(kernel.interpreter()));
   }
 

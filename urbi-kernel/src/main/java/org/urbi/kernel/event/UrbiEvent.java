@@ -155,18 +155,26 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     if (guest == null || !emitter.identity().isAbove(guest.lobby)) {
       return false;
     }
-    emitter
-        .scheduler()
-        .startDetached(
-            guest.lobby,
-            guest.scope,
-            "at",
-            job -> {
-              if (subscriptions.contains(subscription)) {
-                body.run(job);
-              }
-            });
+    startFor(subscription, emitter.scheduler(), guest.lobby, guest.scope, body);
     return true;
+  }
+
+  /** Does something for a subscription in a job of its own, if it is still there by then. */
+  private void startFor(
+      Subscription subscription,
+      Scheduler scheduler,
+      UrbiObject lobby,
+      TagScope scope,
+      Job.Body body) {
+    scheduler.startDetached(
+        lobby,
+        scope,
+        "at",
+        job -> {
+          if (subscriptions.contains(subscription)) {
+            body.run(job);
+          }
+        });
   }
 
   /** Emits the event without duration. */
@@ -211,34 +219,30 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
       if (subscription instanceof Reaction reaction) {
         Reaction.Facts of = reaction.facts();
         if (!of.scope().isSilent()) {
-          start(scheduler, of.lobby(), of.scope(), List.of(subscription), payload);
+          startFor(
+              subscription,
+              scheduler,
+              of.lobby(),
+              of.scope(),
+              job -> flash(subscription, job, false, payload));
         }
       } else {
         left.add(subscription);
       }
     }
     if (!left.isEmpty()) {
-      start(scheduler, others.get(), scheduler.rootScope(), left, payload);
-    }
-  }
-
-  private void start(
-      Scheduler scheduler,
-      UrbiObject lobby,
-      TagScope scope,
-      List<Subscription> told,
-      UrbiObject[] payload) {
-    scheduler.startDetached(
-        lobby,
-        scope,
-        "at",
-        job -> {
-          for (Subscription subscription : told) {
-            if (subscriptions.contains(subscription)) {
-              flash(subscription, job, false, payload);
+      scheduler.startDetached(
+          others.get(),
+          scheduler.rootScope(),
+          "at",
+          job -> {
+            for (Subscription subscription : left) {
+              if (subscriptions.contains(subscription)) {
+                flash(subscription, job, false, payload);
+              }
             }
-          }
-        });
+          });
+    }
   }
 
   private void flash(Subscription subscription, Job emitter, boolean sync, UrbiObject[] payload) {
