@@ -150,6 +150,12 @@ final class QuickCursor {
     return isName(type());
   }
 
+  /** Whether a name, or {@code this}, follows the token. */
+  boolean isBeforeName() {
+    int after = typeAfter();
+    return isName(after) || after == UrbiscriptParser.THIS;
+  }
+
   /** Whether a token can be the name of a slot behind a dot. */
   static boolean isName(int type) {
     return isIdentifier(type)

@@ -195,6 +195,13 @@ final class QuickStatements {
           UrbiscriptParser.WATCH -> {
         return expressions.expression();
       }
+      case UrbiscriptParser.GET, UrbiscriptParser.SET -> {
+        // A function of that name may be called, or a variable changed.
+        if (!cursor.isBeforeName()) {
+          return expressions.expression();
+        }
+        cursor.next();
+      }
       default -> cursor.next();
     }
     return switch (type) {

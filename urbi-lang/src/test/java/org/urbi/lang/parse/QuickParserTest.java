@@ -199,6 +199,7 @@ class QuickParserTest {
         "007 + 999999999999999 + 1234567890123456 + 12345678901234567890 + 1.5 + 2e3 + 3s + 4_0",
         "assert (x) ; assert { a == b; c; } ; { ; } | | a & b",
         "while (var x = f()) {} ; if (a; b) c else d ; closure (x) { return x }",
+        "set(1, 2) ; get ; set = 3 ; get.x | set[1] = 2 & get!(1) ; set += get() ; set->p",
       })
   void usualTextsAreParsedByHand(String text) {
     assertTrue(agrees(text, false), text);
