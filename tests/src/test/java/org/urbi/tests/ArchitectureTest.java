@@ -67,6 +67,8 @@ class ArchitectureTest {
 
   @ArchTest static final ArchTests endOfFailures = ArchTests.in(CatchLaw.class);
 
+  @ArchTest static final ArchTests firstSecond = ArchTests.in(StartLaw.class);
+
   private static ArchRule dependsOnlyOn(String packageName, String... others) {
     return classes()
         .that()

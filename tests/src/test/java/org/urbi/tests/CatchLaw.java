@@ -134,7 +134,8 @@ final class CatchLaw {
                 }
               });
 
-  private static ClassModel classFile(JavaClass type) {
+  /** The compiled class. */
+  static ClassModel classFile(JavaClass type) {
     try (InputStream in = type.getSource().orElseThrow().getUri().toURL().openStream()) {
       return ClassFile.of().parse(in.readAllBytes());
     } catch (IOException e) {

@@ -62,13 +62,15 @@ final class Assertions {
    * their result.
    */
   private static String text(Ast ast) {
-    return switch (ast) {
-      case Ast.And and -> logical(and.left(), Printer.print(and.right()), "'$t1'");
-      case Ast.Or or -> logical(or.left(), "'$t1'", Printer.print(or.right()));
-      case Ast.Message message ->
-          requireNonNullElseGet(operation(message), () -> Printer.print(ast));
-      default -> Printer.print(ast);
-    };
+    if (ast instanceof Ast.And and) {
+      return logical(and.left(), Printer.print(and.right()), "'$t1'");
+    }
+    if (ast instanceof Ast.Or or) {
+      return logical(or.left(), "'$t1'", Printer.print(or.right()));
+    }
+    return ast instanceof Ast.Message message
+        ? requireNonNullElseGet(operation(message), () -> Printer.print(ast))
+        : Printer.print(ast);
   }
 
   /** An operator with its operands, as it was written; null for another message. */

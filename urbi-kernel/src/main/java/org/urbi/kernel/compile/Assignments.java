@@ -95,17 +95,18 @@ final class Assignments {
 
   /** A local variable in a pattern on the left of an assignment is assigned, not compared. */
   private Pattern destructuring(Ast pattern, LexicalScope block) {
-    return switch (pattern) {
-      case Ast.Message name when name.target() == null && name.arguments() == null -> {
-        LocalVariable variable = block.find(name.name());
-        yield variable == null
-            ? compilation.expressions.pattern(name, block)
-            : new Matching.AssignedPlace(compilation.place(variable, block));
-      }
-      case Ast.ListLiteral list -> elements(list.elements(), block, false);
-      case Ast.TupleLiteral tuple -> elements(tuple.elements(), block, true);
-      default -> compilation.expressions.pattern(pattern, block);
-    };
+    if (pattern instanceof Ast.Message name && name.target() == null && name.arguments() == null) {
+      LocalVariable variable = block.find(name.name());
+      return variable == null
+          ? compilation.expressions.pattern(name, block)
+          : new Matching.AssignedPlace(compilation.place(variable, block));
+    }
+    if (pattern instanceof Ast.ListLiteral list) {
+      return elements(list.elements(), block, false);
+    }
+    return pattern instanceof Ast.TupleLiteral tuple
+        ? elements(tuple.elements(), block, true)
+        : compilation.expressions.pattern(pattern, block);
   }
 
   private Pattern elements(List<Ast> elements, LexicalScope block, boolean tuple) {

@@ -161,60 +161,50 @@ final class EventHandlers {
       Supplier<@Nullable Node> onLeave,
       boolean sync) {
     Node duration = optional(condition.duration(), block);
-    return switch (condition) {
-      case Ast.WhenEmitted emitted -> {
-        Node event = compile(emitted.event(), block);
-        EventFilter filter = filter(emitted, inner);
-        yield new AtEvent(ast.span(), event, filter, duration, body.get(), onLeave.get(), sync);
-      }
-      case Ast.WhenTrue holds -> {
-        Node expression = compile(holds.expression(), inner);
-        yield new AtCondition(ast.span(), expression, duration, body.get(), onLeave.get(), sync);
-      }
-    };
+    if (condition instanceof Ast.WhenEmitted emitted) {
+      Node event = compile(emitted.event(), block);
+      EventFilter filter = filter(emitted, inner);
+      return new AtEvent(ast.span(), event, filter, duration, body.get(), onLeave.get(), sync);
+    }
+    Node expression = compile(((Ast.WhenTrue) condition).expression(), inner);
+    return new AtCondition(ast.span(), expression, duration, body.get(), onLeave.get(), sync);
   }
 
   Node whenever(Ast.Whenever whenever, LexicalScope block) {
     LexicalScope inner = block.job(compilation.newRegion());
-    return switch (whenever.condition()) {
-      case Ast.WhenEmitted emitted -> {
-        EventFilter filter = filter(emitted, inner);
-        yield new Whenever(
-            whenever.span(),
-            new Condition.WhenEmitted(compile(emitted.event(), block), filter),
-            optional(emitted.duration(), block),
-            handler(whenever.body(), inner),
-            optionalHandler(whenever.elseClause(), inner));
-      }
-      case Ast.WhenTrue holds ->
-          new Whenever(
-              whenever.span(),
-              new Condition.WhenTrue(compile(holds.expression(), inner)),
-              optional(holds.duration(), block),
-              handler(whenever.body(), inner),
-              optionalHandler(whenever.elseClause(), inner));
-    };
+    Condition condition;
+    if (whenever.condition() instanceof Ast.WhenEmitted emitted) {
+      EventFilter filter = filter(emitted, inner);
+      condition = new Condition.WhenEmitted(compile(emitted.event(), block), filter);
+    } else {
+      Ast.WhenTrue holds = (Ast.WhenTrue) whenever.condition();
+      condition = new Condition.WhenTrue(compile(holds.expression(), inner));
+    }
+    return new Whenever(
+        whenever.span(),
+        condition,
+        optional(whenever.condition().duration(), block),
+        handler(whenever.body(), inner),
+        optionalHandler(whenever.elseClause(), inner));
   }
 
   Node waitUntil(Ast.WaitUntil wait, LexicalScope block) {
-    return switch (wait.condition()) {
-      case Ast.WhenEmitted emitted ->
-          compilation.expressions.matching(
-              block,
-              inner ->
-                  new WaitUntil(
-                      wait.span(),
-                      new Condition.WhenEmitted(
-                          compile(emitted.event(), block), filter(emitted, inner)),
-                      optional(emitted.duration(), block)));
-      case Ast.WhenTrue holds ->
-          new WaitUntil(
-              wait.span(),
-              // Another job evaluates it, so the variables that it reads are shared.
-              new Condition.WhenTrue(
-                  compile(holds.expression(), block.job(compilation.newRegion()))),
-              optional(holds.duration(), block));
-    };
+    if (wait.condition() instanceof Ast.WhenEmitted emitted) {
+      return compilation.expressions.matching(
+          block,
+          inner ->
+              new WaitUntil(
+                  wait.span(),
+                  new Condition.WhenEmitted(
+                      compile(emitted.event(), block), filter(emitted, inner)),
+                  optional(emitted.duration(), block)));
+    }
+    Ast.WhenTrue holds = (Ast.WhenTrue) wait.condition();
+    return new WaitUntil(
+        wait.span(),
+        // Another job evaluates it, so the variables that it reads are shared.
+        new Condition.WhenTrue(compile(holds.expression(), block.job(compilation.newRegion()))),
+        optional(holds.duration(), block));
   }
 
   Node every(Ast.Every every, LexicalScope block, HandledJumps seen) {

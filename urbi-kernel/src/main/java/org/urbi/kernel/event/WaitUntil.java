@@ -31,9 +31,10 @@ public final class WaitUntil extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     long hold = Durations.nanoseconds(frame, duration);
-    switch (condition) {
-      case Condition.WhenEmitted emitted -> await(frame, emitted, hold);
-      case Condition.WhenTrue holds -> await(frame, holds, hold);
+    if (condition instanceof Condition.WhenEmitted emitted) {
+      await(frame, emitted, hold);
+    } else {
+      await(frame, (Condition.WhenTrue) condition, hold);
     }
     return frame.interpreter().values().voidObject;
   }

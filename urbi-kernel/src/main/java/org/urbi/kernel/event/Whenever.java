@@ -47,24 +47,22 @@ public final class Whenever extends Node {
   public UrbiObject execute(Frame frame) {
     long hold = Durations.nanoseconds(frame, duration);
     Frame home = frame.fork(frame.job(), false);
-    switch (condition) {
-      case Condition.WhenEmitted emitted -> {
-        var armed = new OnEvent(home, emitted, EventLookup.event(frame, emitted.event()), hold);
-        armed.scope.add(armed);
-        armed.otherwise();
-        armed.source.subscribe(armed, frame.job());
-      }
-      case Condition.WhenTrue holds -> {
-        var armed = new OnExpression(home, holds.expression(), hold);
-        armed.scope.add(armed);
-        boolean ready = false;
-        try {
-          armed.watch.begin(frame.job());
-          ready = true;
-        } finally {
-          if (!ready) {
-            armed.stopped(null);
-          }
+    if (condition instanceof Condition.WhenEmitted emitted) {
+      var armed = new OnEvent(home, emitted, EventLookup.event(frame, emitted.event()), hold);
+      armed.scope.add(armed);
+      armed.otherwise();
+      armed.source.subscribe(armed, frame.job());
+    } else {
+      Condition.WhenTrue holds = (Condition.WhenTrue) condition;
+      var armed = new OnExpression(home, holds.expression(), hold);
+      armed.scope.add(armed);
+      boolean ready = false;
+      try {
+        armed.watch.begin(frame.job());
+        ready = true;
+      } finally {
+        if (!ready) {
+          armed.stopped(null);
         }
       }
     }

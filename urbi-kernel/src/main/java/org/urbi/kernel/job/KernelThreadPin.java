@@ -26,14 +26,16 @@ final class KernelThreadPin {
     try {
       Method export = Module.class.getDeclaredMethod("implAddExportsToAllUnnamed", String.class);
       export.setAccessible(true);
-      export.invoke(Object.class.getModule(), "jdk.internal.vm");
-      return MethodHandles.lookup()
-          .findStatic(
-              Class.forName("jdk.internal.vm.Continuation"),
-              name,
-              MethodType.methodType(void.class));
+      MethodHandles.Lookup lookup = MethodHandles.lookup();
+      lookup.unreflect(export).invokeExact(Object.class.getModule(), "jdk.internal.vm");
+      return lookup.findStatic(
+          Class.forName("jdk.internal.vm.Continuation"), name, MethodType.methodType(void.class));
     } catch (ReflectiveOperationException | RuntimeException e) {
       return null;
+    } catch (Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
     }
   }
 

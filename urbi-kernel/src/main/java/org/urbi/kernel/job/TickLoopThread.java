@@ -104,9 +104,17 @@ final class TickLoopThread implements JobThread, Executor, Runnable {
     try {
       var getter = Class.forName("java.lang.VirtualThread").getDeclaredMethod("defaultScheduler");
       getter.setAccessible(true);
-      return (Executor) getter.invoke(null);
+      return (Executor)
+          MethodHandles.lookup()
+              .unreflect(getter)
+              .asType(MethodType.methodType(Executor.class))
+              .invokeExact();
     } catch (ReflectiveOperationException | RuntimeException e) {
       return null;
+    } catch (Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
     }
   }
 

@@ -68,9 +68,10 @@ public final class Assertion extends Node {
     if (interpreter.assertionsDisabled()) {
       return interpreter.values().voidObject;
     }
-    switch (claim) {
-      case PlainClaim whole -> check(frame, whole);
-      case MessageClaim sent -> check(frame, sent);
+    if (claim instanceof MessageClaim sent) {
+      check(frame, sent);
+    } else {
+      check(frame, (PlainClaim) claim);
     }
     return interpreter.values().voidObject;
   }

@@ -46,12 +46,13 @@ public final class DictionaryKey {
       return UrbiDictionary.key(number);
     }
     UrbiObject hash = frame.interpreter.send(frame, value, "hash");
-    int code =
-        switch (hash) {
-          case UrbiHash known -> Long.hashCode(known.code());
-          case UrbiFloat number -> Double.hashCode(number.value());
-          default -> 0;
-        };
-    return new ObjectKey(frame, code, value);
+    return new ObjectKey(frame, code(hash), value);
+  }
+
+  private static int code(UrbiObject hash) {
+    if (hash instanceof UrbiHash known) {
+      return Long.hashCode(known.code());
+    }
+    return hash instanceof UrbiFloat number ? Double.hashCode(number.value()) : 0;
   }
 }

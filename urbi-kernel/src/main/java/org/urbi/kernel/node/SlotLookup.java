@@ -91,11 +91,10 @@ public final class SlotLookup {
    */
   public record OwnCode(Function.@Nullable Body body) {
     private static @Nullable OwnCode of(UrbiObject value) {
-      return switch (value) {
-        case Function function when function.isUnbound() -> new OwnCode(function.body());
-        case Code code -> new OwnCode(null);
-        default -> null;
-      };
+      if (value instanceof Function function && function.isUnbound()) {
+        return new OwnCode(function.body());
+      }
+      return value instanceof Code ? new OwnCode(null) : null;
     }
   }
 

@@ -141,13 +141,14 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
   }
 
   private int hash(Key key) {
-    return switch (key) {
-      case TextKey text -> hash(text.text());
+    if (key instanceof TextKey text) {
+      return hash(text.text());
+    }
+    if (key instanceof NumberKey number) {
       // What is not a number equals nothing, so that any place will do.
-      case NumberKey number when Double.isNaN(number.number()) -> used * SPREAD;
-      case NumberKey number -> hash(number.number());
-      default -> hashOfCode(key.hashCode());
-    };
+      return Double.isNaN(number.number()) ? used * SPREAD : hash(number.number());
+    }
+    return hashOfCode(key.hashCode());
   }
 
   // ------------------------------------------------------------------ looks
@@ -200,13 +201,14 @@ final class EntryTable extends AbstractMap<Key, UrbiObject> {
   }
 
   private int place(Object key) {
-    return switch (key) {
-      case TextKey text -> place(text.text());
+    if (key instanceof TextKey text) {
+      return place(text.text());
+    }
+    if (key instanceof NumberKey number) {
       // It would be looked for among all the others.
-      case NumberKey number -> Double.isNaN(number.number()) ? -1 : place(number.number());
-      case Key other -> placeOfOther(other);
-      default -> -1;
-    };
+      return Double.isNaN(number.number()) ? -1 : place(number.number());
+    }
+    return key instanceof Key other ? placeOfOther(other) : -1;
   }
 
   /**

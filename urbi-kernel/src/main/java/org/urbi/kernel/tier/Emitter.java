@@ -587,10 +587,9 @@ final class Emitter extends CodeWriter {
 
   /** The turns of a loop that can be compiled by itself; null for other nodes. */
   static @Nullable TurnCount turns(Node node) {
-    return switch (node) {
-      case Loops.Sequential loop -> loop.turns();
-      case ForEach loop when EmitLoops.canCount(loop) -> loop.turns();
-      default -> null;
-    };
+    if (node instanceof Loops.Sequential loop) {
+      return loop.turns();
+    }
+    return node instanceof ForEach loop && EmitLoops.canCount(loop) ? loop.turns() : null;
   }
 }

@@ -54,13 +54,10 @@ final class OperandBuilder {
 
   private void check(Ast target, Span span, boolean pattern) {
     boolean fine =
-        switch (target) {
-          case Ast.Message m -> pattern || m.arguments() == null || m.name().equals("[]");
-          case Ast.Property p -> true;
-          case Ast.SlotAccess s -> false;
-          case Ast.Emit e -> false;
-          default -> pattern;
-        };
+        target instanceof Ast.Message m
+            ? pattern || m.arguments() == null || m.name().equals("[]")
+            : target instanceof Ast.Property
+                || pattern && !(target instanceof Ast.SlotAccess || target instanceof Ast.Emit);
     if (!fine) {
       throw builder.notAnLvalue(span, target);
     }

@@ -59,14 +59,15 @@ public final class Hashing {
       return code(caller, text.value());
     }
     UrbiObject hash = caller.interpreter().send(caller, value, "hash");
-    return switch (hash) {
-      case UrbiHash known -> known.code();
-      case UrbiFloat number -> code(number.value());
-      default ->
-          throw caller
-              .interpreter()
-              .errors()
-              .argumentType("hash", 0, hash, caller.interpreter().world().prototype("Hash"));
-    };
+    if (hash instanceof UrbiHash known) {
+      return known.code();
+    }
+    if (hash instanceof UrbiFloat number) {
+      return code(number.value());
+    }
+    throw caller
+        .interpreter()
+        .errors()
+        .argumentType("hash", 0, hash, caller.interpreter().world().prototype("Hash"));
   }
 }
