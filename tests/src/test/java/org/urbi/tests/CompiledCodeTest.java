@@ -578,6 +578,24 @@ class CompiledCodeTest {
     assertTrue(output.contains("] 300\n") && output.contains("] true\n"), output);
   }
 
+  /** The JDK makes no room for slots that only such code has. */
+  @Test
+  void codeThatIsNeverReachedIsNoObstacle() {
+    String output =
+        KernelSession.runCompiled(
+            1,
+            0,
+            0,
+            """
+            function f(x) { return x; var a = x + 1; var b = [a, f(a), x * 2]; b.size + a * x }|;
+            f(7);
+            System.tier["functions"];
+            System.tier["refused"];
+            """);
+    assertTrue(
+        output.contains("] 7\n") && output.contains("] 1\n") && output.contains("] 0\n"), output);
+  }
+
   @Test
   void hotCodeIsCompiled() {
     String output =

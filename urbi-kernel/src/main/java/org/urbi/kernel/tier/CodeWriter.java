@@ -74,6 +74,7 @@ abstract class CodeWriter {
     this.values = unit.values();
     // What has been emitted before was thrown away, because its jumps were too short.
     unit.counting().set(0);
+    unit.slots().set(0);
     this.activation = activation;
     this.job = code.allocateLocal(TypeKind.REFERENCE);
     this.free = job + 1;
@@ -228,6 +229,9 @@ abstract class CodeWriter {
   private int allocate(int slots) {
     int slot = free;
     free += slots;
+    if (free > unit.slots().get()) {
+      unit.slots().set(free);
+    }
     return slot;
   }
 
@@ -317,13 +321,13 @@ abstract class CodeWriter {
       beforeOthers();
     }
     grow();
-    help(code, name, result, parameters);
+    unit.helpers().call(code, name, result, parameters);
   }
 
   /** Gives up as soon as the code is too long: a class with much more could not even be made. */
   private void grow() {
     length += SHORTEST;
-    if (length > Tier.MOST_BYTES) {
+    if (length > ClassFiles.MOST_BYTES) {
       throw new TooLong();
     }
   }

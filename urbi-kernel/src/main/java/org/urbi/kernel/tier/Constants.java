@@ -2,6 +2,9 @@ package org.urbi.kernel.tier;
 
 import java.lang.classfile.ClassBuilder;
 import java.lang.classfile.ClassFile;
+import java.lang.classfile.constantpool.ConstantPoolBuilder;
+import java.lang.classfile.constantpool.FieldRefEntry;
+import java.lang.classfile.constantpool.InterfaceMethodRefEntry;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
@@ -14,25 +17,28 @@ import java.util.Map;
 
 /** The objects to which emitted code refers: static finals of its class, which a JIT trusts. */
 final class Constants {
-  private record Constant(String name, ClassDesc type, Object value) {}
+  private record Constant(FieldRefEntry field, Object value) {}
 
   private static final ClassDesc HANDLES = MethodHandles.class.describeConstable().orElseThrow();
+
+  private static final MethodTypeDesc GET =
+      MethodTypeDesc.of(ConstantDescs.CD_Object, ConstantDescs.CD_int);
 
   private final Map<Object, Map<ClassDesc, Constant>> known = new IdentityHashMap<>();
   private final List<Constant> all = new ArrayList<>();
 
-  /** The name of the field that holds an object as a type. */
-  String name(Object value, ClassDesc type) {
+  /** The field that holds an object as a type. */
+  FieldRefEntry field(ConstantPoolBuilder pool, ClassDesc owner, Object value, ClassDesc type) {
     return known
         .computeIfAbsent(value, each -> new HashMap<>(2))
-        .computeIfAbsent(type, each -> add(value, type))
-        .name;
-  }
-
-  private Constant add(Object value, ClassDesc type) {
-    var constant = new Constant("c" + all.size(), type, value);
-    all.add(constant);
-    return constant;
+        .computeIfAbsent(
+            type,
+            each -> {
+              var constant = new Constant(pool.fieldRefEntry(owner, "c" + all.size(), type), value);
+              all.add(constant);
+              return constant;
+            })
+        .field;
   }
 
   /** The objects, for the definition of the class. */
@@ -41,11 +47,11 @@ final class Constants {
   }
 
   /** Declares the fields, and the code that fills them from the data of the class. */
-  void declare(ClassBuilder to, ClassDesc owner) {
+  void declare(ClassBuilder to) {
     for (Constant constant : all) {
       to.withField(
-          constant.name,
-          constant.type,
+          constant.field.name(),
+          constant.field.type(),
           ClassFile.ACC_PRIVATE | ClassFile.ACC_STATIC | ClassFile.ACC_FINAL);
     }
     to.withMethodBody(
@@ -66,16 +72,15 @@ final class Constants {
                   ConstantDescs.CD_String,
                   ConstantDescs.CD_Class));
           code.checkcast(ConstantDescs.CD_List).astore(0);
+          InterfaceMethodRefEntry get =
+              code.constantPool().interfaceMethodRefEntry(ConstantDescs.CD_List, "get", GET);
           for (int i = 0; i < all.size(); i++) {
             Constant constant = all.get(i);
             code.aload(0)
                 .loadConstant(i)
-                .invokeinterface(
-                    ConstantDescs.CD_List,
-                    "get",
-                    MethodTypeDesc.of(ConstantDescs.CD_Object, ConstantDescs.CD_int))
-                .checkcast(constant.type)
-                .putstatic(owner, constant.name, constant.type);
+                .invokeinterface(get)
+                .checkcast(constant.field.typeSymbol())
+                .putstatic(constant.field);
           }
           code.return_();
         });

@@ -90,7 +90,7 @@ record EmitFunction(Node body) implements Tier.Emission {
         bodyType(way.activation(), parameters),
         ClassFile.ACC_STATIC | ClassFile.ACC_PRIVATE,
         way::body);
-    type.withMethodBody("run", Tier.RUN, ClassFile.ACC_PUBLIC, way::run);
+    type.withMethodBody(ClassFiles.RUN, Tier.RUN, ClassFile.ACC_PUBLIC, way::run);
     if (isCalledWithPairs) {
       type.withMethodBody(
           DIRECT, callType(parameters), ClassFile.ACC_STATIC | ClassFile.ACC_PRIVATE, way::direct);

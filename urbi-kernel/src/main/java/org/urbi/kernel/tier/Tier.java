@@ -1,16 +1,12 @@
 package org.urbi.kernel.tier;
 
-import java.lang.classfile.Attributes;
 import java.lang.classfile.ClassBuilder;
 import java.lang.classfile.ClassFile;
-import java.lang.classfile.ClassHierarchyResolver;
-import java.lang.classfile.CodeBuilder;
-import java.lang.classfile.MethodModel;
-import java.lang.classfile.attribute.CodeAttribute;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -42,9 +38,6 @@ public final class Tier implements CodeCompiler {
   /** More variables than most functions have; all of them are written around other code. */
   private static final int MOST_LOCALS = 60;
 
-  /** The Java machine never compiles a method with more bytes than this. */
-  static final int MOST_BYTES = 8000;
-
   /** How many bytes of classes may be in use at once. */
   private static final long MOST_IN_USE = 8L << 20;
 
@@ -56,8 +49,7 @@ public final class Tier implements CodeCompiler {
           ConstantDescs.CD_double,
           Names.OBJECTS);
 
-  private static final MethodTypeDesc CONSTRUCTOR =
-      MethodTypeDesc.of(ConstantDescs.CD_void, Names.MISSES);
+  private static final MethodType NEW = MethodType.methodType(void.class, Misses.class);
 
   private final World world;
   private final int threshold;
@@ -65,11 +57,7 @@ public final class Tier implements CodeCompiler {
   private final KernelLog log;
   private final ClassesInUse inUse = new ClassesInUse(MOST_IN_USE);
 
-  /** Asks loaded classes what they extend; otherwise their files would be read. */
-  private final ClassFile files =
-      ClassFile.of(
-          ClassFile.ClassHierarchyResolverOption.of(
-              ClassHierarchyResolver.ofClassLoading(MethodHandles.lookup()).cached()));
+  private final ClassFiles files = new ClassFiles();
 
   /** Whether the Java machine has failed to give what compiling needs. */
   private boolean broken;
@@ -121,9 +109,11 @@ public final class Tier implements CodeCompiler {
                   new Unit(
                       name(FUNCTION),
                       new Constants(),
+                      new Helpers(),
                       world.values(),
                       doubt,
                       new Misses(!last),
+                      new AtomicInteger(),
                       new AtomicInteger(),
                       survey,
                       frame,
@@ -165,9 +155,11 @@ public final class Tier implements CodeCompiler {
         new Unit(
             name(LOOP),
             new Constants(),
+            new Helpers(),
             world.values(),
             doubt,
             new Misses(!last),
+            new AtomicInteger(),
             new AtomicInteger(),
             survey,
             frame,
@@ -177,7 +169,7 @@ public final class Tier implements CodeCompiler {
             true),
         (type, unit) ->
             type.withMethodBody(
-                "run",
+                ClassFiles.RUN,
                 RUN,
                 ClassFile.ACC_PUBLIC,
                 code -> Emitter.ofLoop(code, unit).loops().unit(loop)));
@@ -193,12 +185,12 @@ public final class Tier implements CodeCompiler {
     if (!broken) {
       try {
         compiled = work.get();
+      } catch (VerifyError | IllegalArgumentException e) {
+        log.write("urbi: code is not compiled: " + e);
+        FailureLog.internal(COMPILER, e);
       } catch (LinkageError e) {
         broken = true;
         log.write("urbi: code is not compiled any more: " + e);
-        FailureLog.internal(COMPILER, e);
-      } catch (IllegalArgumentException e) {
-        log.write("urbi: code is not compiled: " + e);
         FailureLog.internal(COMPILER, e);
       } catch (StackOverflowError | TooLong e) {
         // It is refused.
@@ -231,53 +223,27 @@ public final class Tier implements CodeCompiler {
   }
 
   private CompiledCode emit(Unit unit, Emission emission) {
-    byte[] emitted =
-        files.build(
-            unit.owner(),
-            type -> {
-              type.withSuperclass(Names.COMPILED_CODE).withFlags(ClassFile.ACC_FINAL);
-              type.withMethodBody(ConstantDescs.INIT_NAME, CONSTRUCTOR, 0, Tier::construct);
-              emission.emit(type, unit);
-              unit.constants().declare(type, unit.owner());
-            });
-    if (length(emitted) > MOST_BYTES) {
-      throw new TooLong();
-    }
-    CompiledCode compiled = instance(emitted, unit);
-    bytes += emitted.length;
+    ClassFiles.Made made = files.make(unit, emission);
+    CompiledCode compiled = instance(made.bytes(), made.unit());
+    bytes += made.bytes().length;
     counting += unit.counting().get();
-    inUse.add(compiled, emitted.length);
+    inUse.add(compiled, made.bytes().length);
     return compiled;
-  }
-
-  /** The length of the code that does the work. */
-  private static int length(byte[] emitted) {
-    int longest = 0;
-    for (MethodModel method : ClassFile.of().parse(emitted).methods()) {
-      longest =
-          Math.max(
-              longest,
-              method.findAttribute(Attributes.code()).map(CodeAttribute::codeLength).orElse(0));
-    }
-    return longest;
-  }
-
-  private static void construct(CodeBuilder code) {
-    code.aload(0)
-        .aload(1)
-        .invokespecial(Names.COMPILED_CODE, ConstantDescs.INIT_NAME, CONSTRUCTOR)
-        .return_();
   }
 
   private static CompiledCode instance(byte[] emitted, Unit unit) {
     try {
-      return (CompiledCode)
+      MethodHandles.Lookup defined =
           MethodHandles.lookup()
-              .defineHiddenClassWithClassData(emitted, unit.constants().values(), true)
-              .lookupClass()
-              .getDeclaredConstructor(Misses.class)
-              .newInstance(unit.misses());
-    } catch (ReflectiveOperationException e) {
+              .defineHiddenClassWithClassData(emitted, unit.constants().values(), true);
+      return (CompiledCode)
+          defined
+              .findConstructor(defined.lookupClass(), NEW)
+              .asType(MethodType.methodType(CompiledCode.class, Misses.class))
+              .invokeExact(unit.misses());
+    } catch (RuntimeException | Error e) {
+      throw e;
+    } catch (Throwable e) {
       throw new IllegalStateException(e);
     }
   }

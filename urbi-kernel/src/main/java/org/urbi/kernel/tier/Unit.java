@@ -16,6 +16,7 @@ import org.urbi.kernel.object.Values;
  * @param doubt makes it distrust what it knows, for tests; or null
  * @param misses counts how often it meets what it has not expected
  * @param counting how many of the loops that have been emitted count their {@code ;} themselves
+ * @param slots how many slots the emitted code has taken
  * @param frame the activation that needs it
  * @param function null for a loop, whose variables are used afterwards
  * @param locals the number of plain variables
@@ -25,10 +26,12 @@ import org.urbi.kernel.object.Values;
 record Unit(
     ClassDesc owner,
     Constants constants,
+    Helpers helpers,
     Values values,
     @Nullable Doubt doubt,
     Misses misses,
     AtomicInteger counting,
+    AtomicInteger slots,
     Survey survey,
     Frame frame,
     Function.@Nullable Body function,
@@ -37,24 +40,35 @@ record Unit(
     boolean copiesLoops) {
   /** Pushes an object of the kernel. */
   void constant(CodeBuilder code, Object value, ClassDesc type) {
-    code.getstatic(owner, constants.name(value, type), type);
+    code.getstatic(constants.field(code.constantPool(), owner, value, type));
   }
 
   /** The same, as short as possible. */
   Unit withoutCopies() {
+    return again(false);
+  }
+
+  /** The same, to be emitted again. */
+  Unit again() {
+    return again(copiesLoops);
+  }
+
+  private Unit again(boolean itCopiesLoops) {
     return new Unit(
         owner,
         new Constants(),
+        new Helpers(),
         values,
         doubt,
         misses,
         counting,
+        slots,
         survey,
         frame,
         function,
         locals,
         guarded,
-        false);
+        itCopiesLoops);
   }
 
   boolean isLoop() {

@@ -134,9 +134,13 @@ class TierTest {
   @Test
   void aDefectIsLoggedAndRefusesOnePieceOfCode() {
     assertNull(tier.attempt(failing(new IllegalArgumentException("too far"))));
+    assertNull(tier.attempt(failing(new VerifyError("no slot"))));
     assertNotNull(tier.attempt(this::nothing));
     assertEquals(
-        List.of("urbi: code is not compiled: java.lang.IllegalArgumentException: too far"), log);
+        List.of(
+            "urbi: code is not compiled: java.lang.IllegalArgumentException: too far",
+            "urbi: code is not compiled: java.lang.VerifyError: no slot"),
+        log);
     String trace = failures.toString(StandardCharsets.UTF_8);
     assertTrue(trace.contains("internal error in the compiler of hot code"), trace);
     assertTrue(trace.contains("\tat " + TierTest.class.getName()), trace);
