@@ -23,7 +23,7 @@ fi
 # Java that is started by Java has no descriptor of the jars (distribution_class_path).
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags $cache_flags -XX:-AOTRecordTraining -XX:AOTMode=record -XX:AOTConfiguration="$cache.classes" \
-  -Durbi.tier=1 -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
+  -Durbi.tier=2 -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags $cache_flags -XX:AOTMode=create -XX:AOTConfiguration="$cache.classes" -XX:AOTCache="$cache.new" \
   -cp "$cp" </dev/null >>"$log" 2>&1
