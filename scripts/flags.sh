@@ -12,7 +12,9 @@ done
 # Handlers of exceptions are compiled though they have never been used: else each of the calls that an exception unwinds for
 # the first time, up to 200,000, would go back to the interpreter on its own, while nobody else runs.
 # Netty would tell the flight recorder of its buffers: to get ready for that takes a fifth of the time of a server's start.
-jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED $collector -XX:+UseCompactObjectHeaders -XX:-UsePerfData -XX:-ProfileExceptionHandlers -Djdk.trackAllThreads=false -Dio.netty.jfr.enabled=false -Xlog:disable"
+# The first of the two JITs inlines nearly nothing: what Urbi compiles calls many short methods, and to inline them all takes it
+# 200 ms for one long function, while all else waits to be compiled. The second, which compiles what is hot, inlines as always.
+jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED $collector -XX:C1MaxInlineSize=6 -XX:+UseCompactObjectHeaders -XX:-UsePerfData -XX:-ProfileExceptionHandlers -Djdk.trackAllThreads=false -Dio.netty.jfr.enabled=false -Xlog:disable"
 
 # Those of a JVM with a start-up cache, which only the JDK that has made it can use. The cache is mapped where it was made
 # for (else each of its pointers is moved first); nobody looks for profiles, which it has not. What short programs call
