@@ -43,7 +43,7 @@ public final class KernelBuilder {
   List<Path> moduleSearchPath = List.of(Path.of("."));
   int stackSize;
   int tierThreshold = TierSetting.threshold();
-  int tierDoubt;
+  int tierDoubt = TierSetting.doubt();
   Duration maxHold = Duration.ZERO;
   long seed;
   String programName = "urbi";
@@ -134,8 +134,9 @@ public final class KernelBuilder {
   }
 
   /**
-   * Lets compiled code take the slow path each time it has met so many numbers, for tests: nothing
-   * changes by it but the time. By default it never does.
+   * Lets compiled code take the slow path each time it has met so many numbers, and forgets one in
+   * so many pieces of it as soon as it is made, for tests: nothing changes by it but the time. By
+   * default what the property {@code urbi.tier.doubt} says, or else never.
    */
   public KernelBuilder tierDoubt(int period) {
     tierDoubt = period;

@@ -11,7 +11,7 @@ final class Doubt {
     this.period = period;
   }
 
-  /** Whether the next number is not taken for one. */
+  /** Whether the next number is not taken for one, or the next version is forgotten. */
   boolean strikes() {
     count = (count + 1) % period;
     return count == 0;

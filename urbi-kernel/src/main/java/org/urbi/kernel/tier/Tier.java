@@ -71,8 +71,9 @@ public final class Tier implements CodeCompiler {
   /**
    * @param threshold after how many calls a function is compiled, and after ten times as many turns
    *     a loop; with 1 both at once
-   * @param missEvery every how many times compiled code distrusts a number, which must make no
-   *     difference but for the time; 0 for never
+   * @param missEvery every how many times compiled code distrusts a number, and a version is
+   *     forgotten that has just been made, which must make no difference but for the time; 0 for
+   *     never
    * @param log is told of code that could not be compiled because of a defect here
    */
   public Tier(World world, int threshold, int missEvery, KernelLog log) {
@@ -112,7 +113,7 @@ public final class Tier implements CodeCompiler {
                       new Helpers(),
                       world.values(),
                       doubt,
-                      new Misses(!last),
+                      misses(last),
                       new AtomicInteger(),
                       new AtomicInteger(),
                       survey,
@@ -158,7 +159,7 @@ public final class Tier implements CodeCompiler {
             new Helpers(),
             world.values(),
             doubt,
-            new Misses(!last),
+            misses(last),
             new AtomicInteger(),
             new AtomicInteger(),
             survey,
@@ -173,6 +174,11 @@ public final class Tier implements CodeCompiler {
                 RUN,
                 ClassFile.ACC_PUBLIC,
                 code -> Emitter.ofLoop(code, unit).loops().unit(loop)));
+  }
+
+  /** Counts the misses of a new version, unless it is the last one; a test has some forgotten. */
+  private Misses misses(boolean last) {
+    return !last && doubt != null && doubt.strikes() ? Misses.over() : new Misses(!last);
   }
 
   /**
