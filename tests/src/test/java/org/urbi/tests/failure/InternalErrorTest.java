@@ -17,7 +17,7 @@ class InternalErrorTest {
       delimiter = '|',
       value = {
         "the reader   | org.urbi.lang.ast.Ast$Watch | watch(1);",
-        "the compiler | org.urbi.kernel.node.Assertion$PlainClaim | assert(true);",
+        "the compiler | org.urbi.kernel.node.Assertion$MessageClaim | assert(true);",
         "a builtin    | org.urbi.kernel.node.Profiler | System.profile(function () {});",
         "an outside worker | org.urbi.kernel.outside.DirectoryWatch | at (Directory.new(\".\").fileCreated?) {};",
         "a background job | org.urbi.kernel.node.Profiler | { System.profile(function () {}) },"
