@@ -71,6 +71,21 @@ class CompiledCodeTest {
   static Map<String, String> programs() {
     return Map.ofEntries(
         Map.entry(
+            "only another job has the variables",
+            """
+            var o = Object.new|; var o.x = 1|; var event = Event.new|;
+            function f() {
+              { event = Event.new |
+                { timeout (3ms) { waituntil (event?(var seen)) |
+                    { if (!seen.hasLocalSlot("tag")) echo(seen) } } }
+                & { event!(o.x < o.x) } | sleep(1ms) }|
+              { { var before = o.x; if (1 < o.get(o.x) || o.x > 2) {}| }, sleep(1ms) }|
+            }|;
+            function g(a, b) { o.x = (c = f()) }|;
+            f(); f(); f();
+            g(1, 2);
+            """),
+        Map.entry(
             "an operator is redefined, and removed, while a loop runs",
             """
             var plus = Float.getSlotValue("+")|;

@@ -150,6 +150,14 @@ public final class Frame implements Place {
             null));
   }
 
+  /** The plain variables; for those of compiled code there is room from now on. */
+  UrbiObject[] room() {
+    if (locals.length == 0 && function != null) {
+      locals = function.layout().newLocals();
+    }
+    return locals;
+  }
+
   private static Frame outsideOfScopes(Frame frame) {
     frame.scopeEnd = ScopeEnd.NEVER;
     return frame;
@@ -160,7 +168,7 @@ public final class Frame implements Place {
     return inScopeOf(
         this,
         new Frame(
-            interpreter, job, depth, caller, site, target, function, locals, cells, activation));
+            interpreter, job, depth, caller, site, target, function, room(), cells, activation));
   }
 
   private static Frame inScopeOf(Frame original, Frame copy) {
@@ -183,7 +191,7 @@ public final class Frame implements Place {
     return inScopeOf(
         this,
         new Frame(
-            interpreter, job, depth + 1, this, from, self, function, locals, cells, activation));
+            interpreter, job, depth + 1, this, from, self, function, room(), cells, activation));
   }
 
   /**
@@ -202,7 +210,7 @@ public final class Frame implements Place {
             from,
             self,
             function,
-            locals.clone(),
+            room().clone(),
             copied(cells),
             activation));
   }
@@ -233,7 +241,7 @@ public final class Frame implements Place {
             kept ? site : how,
             self,
             function,
-            locals.clone(),
+            room().clone(),
             copied(cells),
             activation));
   }
@@ -285,7 +293,7 @@ public final class Frame implements Place {
                 site,
                 self,
                 function,
-                locals,
+                room(),
                 cells,
                 activation));
   }

@@ -16,15 +16,7 @@ abstract class FrameAccess extends Node {
 
   /** The variables in the frame; there is room for them from now on. */
   protected static UrbiObject[] locals(Frame frame) {
-    UrbiObject[] locals = frame.locals;
-    return locals.length == 0 ? room(frame) : locals;
-  }
-
-  private static UrbiObject[] room(Frame frame) {
-    if (frame.function != null) {
-      frame.locals = frame.function.layout().newLocals();
-    }
-    return frame.locals;
+    return frame.room();
   }
 
   /** The value of a variable in the frame. */
