@@ -111,6 +111,13 @@ class VariableFeedTest {
   }
 
   @Test
+  void aSlotWhoseNameIsEmptyIsNoObstacle() throws InterruptedException {
+    program.say("var Global.'' = Object.new|;" + BALL + "'nothing';");
+    Looker looker = new Looker(kernel, Role.OBSERVER, true);
+    looker.hears("+ ball.x NUMBER");
+  }
+
+  @Test
   void tellsOnlyWhatIsFollowed() throws Exception {
     program.say(BALL);
     Looker looker = new Looker(kernel, Role.OBSERVER, false);
