@@ -47,15 +47,7 @@ public final class AtCondition extends Node {
     Frame home = frame.fork(frame.job(), false);
     var armed = new Armed(new Handler(home, body, onLeave, sync), hold);
     armed.handler.scope().add(armed.attachment);
-    boolean ready = false;
-    try {
-      armed.watch.begin(frame.job());
-      ready = true;
-    } finally {
-      if (!ready) {
-        armed.stopped(null);
-      }
-    }
+    armed.watch.begin(frame.job(), () -> armed.stopped(null));
     return frame.interpreter().values().voidObject;
   }
 

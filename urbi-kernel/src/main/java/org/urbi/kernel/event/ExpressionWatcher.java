@@ -55,6 +55,19 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     }
   }
 
+  /** Begins; if that fails, or is ended, what has been done for it until then is undone. */
+  void begin(Job job, Runnable undo) {
+    boolean begun = false;
+    try {
+      begin(job);
+      begun = true;
+    } finally {
+      if (!begun) {
+        undo.run();
+      }
+    }
+  }
+
   private UrbiObject evaluate(Job job) {
     World world = home.interpreter().world();
     Dependencies.Tracker outer = world.tracker;

@@ -22,15 +22,7 @@ public final class WatchExpression extends Node {
   public UrbiObject execute(Frame frame) {
     UrbiEvent event = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
     Watching watching = new Watching(frame.fork(frame.job(), false), event);
-    boolean ready = false;
-    try {
-      watching.watch.begin(frame.job());
-      ready = true;
-    } finally {
-      if (!ready) {
-        watching.watch.close();
-      }
-    }
+    watching.watch.begin(frame.job(), watching.watch::close);
     watching.scope.add(watching);
     return event;
   }

@@ -56,15 +56,7 @@ public final class Whenever extends Node {
       Condition.WhenTrue holds = (Condition.WhenTrue) condition;
       var armed = new OnExpression(home, holds.expression(), hold);
       armed.scope.add(armed);
-      boolean ready = false;
-      try {
-        armed.watch.begin(frame.job());
-        ready = true;
-      } finally {
-        if (!ready) {
-          armed.stopped(null);
-        }
-      }
+      armed.watch.begin(frame.job(), () -> armed.stopped(null));
     }
     return frame.interpreter().values().voidObject;
   }
