@@ -114,9 +114,7 @@ final class Expressions {
 
   /** What has the name of an operator asks for nothing at the end of a scope. */
   private static boolean isOperator(String name) {
-    return !name.isEmpty()
-        && !Character.isJavaIdentifierStart(name.charAt(0))
-        && !name.equals("()");
+    return !name.isEmpty() && !Symbol.isWord(name) && !name.equals("()");
   }
 
   /** The target of a message. Errors about a subscripted name show the subscript, too. */

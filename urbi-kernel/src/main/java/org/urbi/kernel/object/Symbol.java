@@ -18,6 +18,11 @@ public final class Symbol {
     return name;
   }
 
+  /** Whether that is a name as one writes it; not an operator, nor empty. */
+  public static boolean isWord(String name) {
+    return !name.isEmpty() && Character.isJavaIdentifierStart(name.charAt(0));
+  }
+
   /**
    * Changes whenever lookups of this name that were {@linkplain World#remember remembered} become
    * invalid.

@@ -48,8 +48,7 @@ final class VariableNames {
           || value instanceof Code
           || value instanceof UrbiUVar
           || SKIPPED.contains(slot.name())
-          || slot.name().isEmpty()
-          || !Character.isJavaIdentifierStart(slot.name().charAt(0))
+          || !Symbol.isWord(slot.name())
           || value.ownerLobby() == value.world().values().object
           || !seen.add(value)) {
         continue;

@@ -21,6 +21,7 @@ import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Try;
 import org.urbi.kernel.node.Variables;
+import org.urbi.kernel.object.Symbol;
 
 /** What a piece of code does to the variables of its frame. */
 final class Survey {
@@ -293,10 +294,6 @@ final class Survey {
     return true;
   }
 
-  private static boolean isWord(String name) {
-    return !name.isEmpty() && Character.isJavaIdentifierStart(name.charAt(0));
-  }
-
   private boolean visitExpression(Node node) {
     if (node instanceof NumericOperator operator) {
       visit(operator.left());
@@ -351,7 +348,7 @@ final class Survey {
       visit(assignment.value());
     } else if (node instanceof MessageSend message) {
       messages.add(message);
-      passes |= message.argumentNodes().length > 0 && isWord(message.calledName());
+      passes |= message.argumentNodes().length > 0 && Symbol.isWord(message.calledName());
       visit(message.target());
       depth++;
       visitAll(message.argumentNodes());
