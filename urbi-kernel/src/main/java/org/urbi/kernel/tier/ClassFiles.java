@@ -44,7 +44,7 @@ final class ClassFiles {
   /** Makes one. */
   Made make(Unit unit, Emission emission) {
     byte[] bytes = build(plain, ClassFile.JAVA_5_VERSION, unit, emission);
-    if (hasRoomForAll(unit, bytes)) {
+    if (unit.slots().get() <= slots(unit, bytes)) {
       return new Made(bytes, unit);
     }
     // Code that can never be reached has taken slots, for which the JDK makes room only where it
@@ -65,11 +65,15 @@ final class ClassFiles {
         });
   }
 
-  /** Whether the Java machine makes room for all slots that the emitted code names. */
-  private static boolean hasRoomForAll(Unit unit, byte[] bytes) {
+  /**
+   * For how many slots of the emitted code the Java machine makes room.
+   *
+   * @throws TooLong if it would never compile a method
+   */
+  private int slots(Unit unit, byte[] bytes) {
     String emitted = unit.isLoop() ? RUN : EmitFunction.BODY;
     int slots = 0;
-    for (MethodModel method : ClassFile.of().parse(bytes).methods()) {
+    for (MethodModel method : plain.parse(bytes).methods()) {
       CodeAttribute code = method.findAttribute(Attributes.code()).orElseThrow();
       if (code.codeLength() > MOST_BYTES) {
         throw new TooLong();
@@ -78,7 +82,7 @@ final class ClassFiles {
         slots = code.maxLocals();
       }
     }
-    return unit.slots().get() <= slots;
+    return slots;
   }
 
   private static void construct(CodeBuilder code) {

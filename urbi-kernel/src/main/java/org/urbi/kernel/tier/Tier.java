@@ -7,7 +7,6 @@ import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.FailureLog;
@@ -109,13 +108,9 @@ public final class Tier implements CodeCompiler {
               ? compile(
                   new Unit(
                       name(FUNCTION),
-                      new Constants(),
-                      new Helpers(),
                       world.values(),
                       doubt,
                       misses(last),
-                      new AtomicInteger(),
-                      new AtomicInteger(),
                       survey,
                       frame,
                       function,
@@ -155,13 +150,9 @@ public final class Tier implements CodeCompiler {
     return compile(
         new Unit(
             name(LOOP),
-            new Constants(),
-            new Helpers(),
             world.values(),
             doubt,
             misses(last),
-            new AtomicInteger(),
-            new AtomicInteger(),
             survey,
             frame,
             null,
@@ -232,7 +223,7 @@ public final class Tier implements CodeCompiler {
     ClassFiles.Made made = files.make(unit, emission);
     CompiledCode compiled = instance(made.bytes(), made.unit());
     bytes += made.bytes().length;
-    counting += unit.counting().get();
+    counting += made.unit().counting().get();
     inUse.add(compiled, made.bytes().length);
     return compiled;
   }

@@ -38,6 +38,35 @@ record Unit(
     int locals,
     boolean guarded,
     boolean copiesLoops) {
+  /** One of which nothing has been emitted. */
+  Unit(
+      ClassDesc owner,
+      Values values,
+      @Nullable Doubt doubt,
+      Misses misses,
+      Survey survey,
+      Frame frame,
+      Function.@Nullable Body function,
+      int locals,
+      boolean guarded,
+      boolean copiesLoops) {
+    this(
+        owner,
+        new Constants(),
+        new Helpers(),
+        values,
+        doubt,
+        misses,
+        new AtomicInteger(),
+        new AtomicInteger(),
+        survey,
+        frame,
+        function,
+        locals,
+        guarded,
+        copiesLoops);
+  }
+
   /** Pushes an object of the kernel. */
   void constant(CodeBuilder code, Object value, ClassDesc type) {
     code.getstatic(constants.field(code.constantPool(), owner, value, type));
@@ -55,20 +84,7 @@ record Unit(
 
   private Unit again(boolean itCopiesLoops) {
     return new Unit(
-        owner,
-        new Constants(),
-        new Helpers(),
-        values,
-        doubt,
-        misses,
-        counting,
-        slots,
-        survey,
-        frame,
-        function,
-        locals,
-        guarded,
-        itCopiesLoops);
+        owner, values, doubt, misses, survey, frame, function, locals, guarded, itCopiesLoops);
   }
 
   boolean isLoop() {
