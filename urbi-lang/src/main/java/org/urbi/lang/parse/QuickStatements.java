@@ -196,11 +196,11 @@ final class QuickStatements {
         return expressions.expression();
       }
       case UrbiscriptParser.GET, UrbiscriptParser.SET -> {
-        // A function of that name may be called, or a variable changed.
-        if (!cursor.isBeforeName()) {
-          return expressions.expression();
+        // A function of that name may be called, or a variable changed; an accessor has a name.
+        if (cursor.isBeforeName()) {
+          throw QuickCursor.unusual();
         }
-        cursor.next();
+        return expressions.expression();
       }
       default -> cursor.next();
     }
