@@ -19,8 +19,9 @@ else
   export WARM_UP_PORT
   set -- org.urbi.server.launch.ServerTrainingRun "$5" "$root/scripts/warm-up.u" "$root/scripts/warm-up-server.u"
 fi
-# Everything is compiled at once (docs/tier.md), so that the classes of the compiler are in the cache. In two steps, since a
-# Java that is started by Java has no descriptor of the jars (distribution_class_path).
+# Functions are compiled when they are called for the second time (docs/tier.md), when something is known of them, so that the
+# classes of the compiler are in the cache. In two steps, since a Java that is started by Java has no descriptor of the jars
+# (distribution_class_path).
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags $cache_flags -XX:-AOTRecordTraining -XX:AOTMode=record -XX:AOTConfiguration="$cache.classes" \
   -Durbi.tier=2 -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1

@@ -32,6 +32,7 @@ final class StartLaw {
               "org.urbi.kernel.object",
               "org.urbi.kernel.event",
               "org.urbi.kernel.job",
+              "org.urbi.kernel.library.value",
               "org.urbi.kernel.tier")
           .should(
               new ArchCondition<JavaClass>("have no switch over types") {
