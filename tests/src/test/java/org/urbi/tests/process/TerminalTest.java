@@ -204,17 +204,30 @@ class TerminalTest {
 
   @Test
   void ctrlZGivesTheTerminalToTheShellUntilFg() throws Exception {
-    user.enter("810;");
-    user.await("] 810");
-    user.type("820 +" + SUSPEND);
+    user.enter("[810,");
+    // The system drops what is typed ahead of a Ctrl-Z that comes before the editor does.
+    user.await("[> ");
+    user.type("820" + SUSPEND);
     user.await("Stopped");
     user.enter("stty -a | tr ';' '\\n'; echo in the $((1 + 1))nd shell");
     String settings = user.await("in the 2nd shell");
     assertFalse(settings.contains("-icanon") || settings.contains("-echo "), settings);
     user.enter("fg");
-    user.await("820 +");
-    user.enter(" 1;");
-    user.await("] 821");
+    user.await("820");
+    user.enter("];");
+    user.await("] [810, 820]");
+  }
+
+  @Test
+  void ctrlDEndsTheSessionAfterTheStatementThatRuns(@TempDir Path home) throws Exception {
+    try (TypedTerminal other = new TypedTerminal(home, Map.of())) {
+      other.enter("./urbi -i");
+      other.enter("echo(\"begun\"); var n = 0|; while (n < 10000000) n += 1; n + 42;");
+      other.await("*** begun");
+      other.type(END);
+      other.await("] 10000042");
+      other.await(TypedTerminal.ENDED);
+    }
   }
 
   /** The system keeps what was typed before there was an editor, and has made something of it. */

@@ -163,17 +163,10 @@ final class LocalConsole implements AutoCloseable {
     }
   }
 
-  /**
-   * Ends the run; what was typed ahead and not begun is executed before, as far as it does not
-   * wait.
-   */
+  /** Ends the run; what was typed before is executed before, as far as it does not wait. */
   private void leave() {
     left = true;
-    if (opened().pendingInput() > 0) {
-      opened().hangUp();
-    } else {
-      kernel.requestShutdown(0);
-    }
+    opened().hangUp();
   }
 
   /**
