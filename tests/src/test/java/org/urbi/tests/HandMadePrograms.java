@@ -494,6 +494,21 @@ final class HandMadePrograms {
             for (var i : 3) { echo(caught(i)); echo(inside(i)) };
             """),
         Map.entry(
+            "a branch hands out an argument, and the other one has its own variables",
+            """
+            function later { var c = call | detach({ sleep(3ms) | c.evalArgAt(0) }) | 0 }|;
+            function f() {
+              { var i = 0| while (i < 4) { i++| echo(i); } }
+              & { var v = 1; { var j = 0| while| (j < 1) { j++| later(v = j)| } } }
+            }|;
+            f(); f();
+            function g() {
+              var a = 1;
+              { while (a < 4) { a++| echo(a); } }, { later(a = 9)| sleep(5ms)| echo(a) }, sleep(9ms); a
+            }|;
+            g(); g();
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

@@ -72,10 +72,13 @@ public final class Frame implements Place {
    */
   @Nullable ScopeEnd scopeEnd;
 
+  /** The first of the frames that have these very variables, which knows the next two for all. */
+  private final Frame keeper;
+
   /** Whether unevaluated arguments may read and assign the variables at any time. */
   private boolean exposed;
 
-  /** Whether plain variables of the activation may have been shared. */
+  /** Whether plain variables may have been shared. */
   private boolean sharing;
 
   private Frame(
@@ -88,7 +91,8 @@ public final class Frame implements Place {
       @Nullable Function function,
       UrbiObject[] locals,
       Cell[] cells,
-      @Nullable Frame activation) {
+      @Nullable Frame activation,
+      @Nullable Frame keeper) {
     this.interpreter = interpreter;
     this.job = job;
     this.depth = depth;
@@ -99,6 +103,7 @@ public final class Frame implements Place {
     this.locals = locals;
     this.cells = cells;
     this.activation = activation == null ? this : activation;
+    this.keeper = keeper == null ? this : keeper;
   }
 
   @Override
@@ -119,6 +124,7 @@ public final class Frame implements Place {
             null,
             layout.newLocals(),
             layout.newCells(),
+            null,
             null));
   }
 
@@ -131,7 +137,7 @@ public final class Frame implements Place {
   Frame call(
       CallSite from, UrbiObject target, Function called, UrbiObject[] arguments, Cell[] shared) {
     return new Frame(
-        interpreter, job, depth + 1, this, from, target, called, arguments, shared, null);
+        interpreter, job, depth + 1, this, from, target, called, arguments, shared, null, null);
   }
 
   /** The frame of code evaluated on behalf of a library function called at that site. */
@@ -147,6 +153,7 @@ public final class Frame implements Place {
             null,
             layout.newLocals(),
             layout.newCells(),
+            null,
             null));
   }
 
@@ -168,7 +175,17 @@ public final class Frame implements Place {
     return inScopeOf(
         this,
         new Frame(
-            interpreter, job, depth, caller, site, target, function, room(), cells, activation));
+            interpreter,
+            job,
+            depth,
+            caller,
+            site,
+            target,
+            function,
+            room(),
+            cells,
+            activation,
+            keeper));
   }
 
   private static Frame inScopeOf(Frame original, Frame copy) {
@@ -191,7 +208,17 @@ public final class Frame implements Place {
     return inScopeOf(
         this,
         new Frame(
-            interpreter, job, depth + 1, this, from, self, function, room(), cells, activation));
+            interpreter,
+            job,
+            depth + 1,
+            this,
+            from,
+            self,
+            function,
+            room(),
+            cells,
+            activation,
+            keeper));
   }
 
   /**
@@ -200,7 +227,7 @@ public final class Frame implements Place {
    * @param by the frame of the caller, which all such jobs can share
    */
   Frame forkThrough(Job other, CallSite from, Frame by) {
-    return inScopeOf(
+    return asSharedAs(
         this,
         new Frame(
             interpreter,
@@ -212,7 +239,8 @@ public final class Frame implements Place {
             function,
             room().clone(),
             copied(cells),
-            activation));
+            activation,
+            null));
   }
 
   /**
@@ -231,7 +259,7 @@ public final class Frame implements Place {
    */
   private Frame copy(Job other, boolean waited, @Nullable CallSite how) {
     boolean kept = keepsCaller(waited);
-    return inScopeOf(
+    return asSharedAs(
         this,
         new Frame(
             interpreter,
@@ -243,7 +271,15 @@ public final class Frame implements Place {
             function,
             room().clone(),
             copied(cells),
-            activation));
+            activation,
+            null));
+  }
+
+  /** From now on each of the two has its own variables, except for those shared until now. */
+  private static Frame asSharedAs(Frame original, Frame copy) {
+    copy.exposed = original.keeper.exposed;
+    copy.sharing = original.keeper.sharing;
+    return inScopeOf(original, copy);
   }
 
   /** Most code has no variables in cells, and needs no copy of nothing. */
@@ -265,7 +301,7 @@ public final class Frame implements Place {
    */
   public void shareLocals() {
     exposeLocals();
-    activation.sharing = true;
+    keeper.sharing = true;
     for (int i = 0; i < locals.length; i++) {
       @Nullable UrbiObject value = locals[i];
       if (value != null && !(value instanceof SharedLocal)) {
@@ -276,7 +312,7 @@ public final class Frame implements Place {
 
   /** Whether there may be a {@link SharedLocal} among the plain variables. */
   boolean isSharing() {
-    return activation.sharing;
+    return keeper.sharing;
   }
 
   /** The same activation with the same variables, for code that another job evaluates. */
@@ -295,17 +331,18 @@ public final class Frame implements Place {
                 function,
                 room(),
                 cells,
-                activation));
+                activation,
+                keeper));
   }
 
   /** From now on others may evaluate code of this activation. */
   void exposeLocals() {
-    activation.exposed = true;
+    keeper.exposed = true;
   }
 
   /** Whether others may evaluate code of this activation, which reads and assigns its variables. */
   boolean isExposed() {
-    return activation.exposed;
+    return keeper.exposed;
   }
 
   // ------------------------------------------------------------------ for the library
