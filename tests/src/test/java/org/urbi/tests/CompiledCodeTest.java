@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Compiled code does what the interpreter does: values, identity, errors and backtraces. */
 class CompiledCodeTest {
   private static final Duration GENERATED =
-      Duration.ofSeconds(Integer.getInteger("urbi.tier.seconds", 10));
+      Duration.ofSeconds(Integer.getInteger("urbi.tier.seconds", 30));
 
   private static final long FIRST_SEED = Long.getLong("urbi.tier.seed", 1);
 
