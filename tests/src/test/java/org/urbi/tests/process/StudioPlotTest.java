@@ -43,6 +43,7 @@ class StudioPlotTest {
         browser.await("a slot", value("Global .y"), "100"::equals);
         plot(browser, "x");
         awaitPoints(browser, 20);
+        zoomsAsFarAsItGoes(browser);
         String zoomed = zooms(browser);
         plot(browser, "y");
         stays(browser, zoomed, "with one more number");
@@ -91,6 +92,20 @@ class StudioPlotTest {
     String after = browser.evaluate(SCALE);
     assertTrue(end(after, 0) > end(before, 0), before + " -> " + after);
     return after;
+  }
+
+  /** What is next to nothing once made the page look for marks at its axis without end. */
+  private static void zoomsAsFarAsItGoes(Browser browser) throws Exception {
+    browser.evaluate(AREA + ".focus()");
+    for (int i = 0; i < 60; i++) {
+      browser.press('+');
+    }
+    browser.await("that it is zoomed", ZOOMED, "true"::equals);
+    awaitPoints(browser, 2);
+    double seen = width(browser.evaluate(SCALE));
+    assertTrue(0.0009 < seen && seen < 0.0011, seen + " seconds");
+    browser.press(HOME);
+    browser.await("all of it", SCALE, scale -> width(scale) > 0.1);
   }
 
   private static double end(String scale, int which) {

@@ -8,6 +8,7 @@ const MOST = 16;
 const KEPT_SECONDS = 600;
 const HEIGHT = 13.75;
 const KEY_PART = 0.25;
+const LEAST_SECONDS = 0.001;
 const LONG = 1e7;
 const COLOURS = ["jobs", "signal", "running", "event", "condition", "bad", "outside", "frozen"];
 
@@ -15,6 +16,12 @@ const COLOURS = ["jobs", "signal", "running", "event", "condition", "bad", "outs
 export function shownMark(mark) {
   const number = Number(mark.toPrecision(12));
   return Math.abs(number) < LONG ? String(number) : number.toExponential();
+}
+
+// What is in sight. If that were next to nothing, uPlot would look for marks until the memory is full.
+function sight({ min, max }) {
+  const missing = Math.max(0, (LEAST_SECONDS - (max - min)) / 2);
+  return { min: min - missing, max: max + missing };
 }
 
 export class Plot {
@@ -113,7 +120,7 @@ export class Plot {
     const end = this.paused ? this.end : (this.data[0].at(-1) ?? 0);
     const first = this.data[0][0] ?? 0;
     this.chart.setData(this.data, false);
-    this.chart.setScale("x", this.zoomed ? { ...this.seen } : { min: Math.min(end, Math.max(end - span, first)), max: end });
+    this.chart.setScale("x", sight(this.zoomed ? this.seen : { min: Math.min(end, Math.max(end - span, first)), max: end }));
     this.find("plot-area").dataset.points = this.data[0].length;
     this.find("plot-area").dataset.zoomed = this.zoomed;
   }
