@@ -76,7 +76,7 @@ public final class WholePrograms {
     if (document && (quick || profile || !only.isEmpty())) {
       throw Failure.usage("--document wants everything, measured thoroughly");
     }
-    if (document && !Load.isCalm()) {
+    if (document && !Load.becomesCalm(progress)) {
       throw Failure.of(
           "the machine is busy (" + Load.text() + "): its figures are not for docs/benchmarks.md");
     }

@@ -311,7 +311,7 @@ public final class StudioBenchmark {
 
   public static void main(String[] arguments) throws Exception {
     Path root = Path.of(System.getProperty("bench.root"));
-    if (arguments.length == 0 && !Load.isCalm()) {
+    if (arguments.length == 0 && !Load.becomesCalm(System.err)) {
       System.err.println(
           "bench: the machine is busy (" + Load.text() + "): bench/studio 1 takes a rough look");
       System.exit(1);
