@@ -509,6 +509,28 @@ final class HandMadePrograms {
             g(); g();
             """),
         Map.entry(
+            "a jump ends the clause that is executed because of an exception",
+            """
+            function inside(n) {
+              for| (var i = 0; i < n; i++) {
+                try { try { throw i } finally { if (i < 3) { break } } }
+                catch (var e) { echo("caught %s" % e); echo("second") }
+              };
+              echo("after"); 1
+            }|;
+            inside(2); inside(2); inside(5);
+            function outside(n) {
+              try { for| (var i : n) { try { throw i } finally { continue } }; echo("behind") }
+              catch (var e) { echo("caught %s" % e); echo("second") };
+              echo("after"); 2
+            }|;
+            outside(2); outside(2);
+            function returned { try { try { throw 1 } finally { return 3 } } catch (var e) { echo("caught"); echo("second"); 4 } }|;
+            returned; returned;
+            function ended { try { return 1 } finally { for (var i : 2) { try { throw i } catch (var e) { echo(e) } finally { continue } } } }|;
+            ended; ended;
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

@@ -65,19 +65,30 @@ public final class Try extends Node {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    if (finallyClause == null) {
-      return executeCatching(frame);
-    }
+    return finallyClause == null ? executeCatching(frame) : executeFinishing(frame, finallyClause);
+  }
+
+  private UrbiObject executeFinishing(Frame frame, Node last) {
+    boolean thrown = true;
+    UrbiObject value;
     try {
-      return executeCatching(frame);
+      value = executeCatching(frame);
+      thrown = false;
     } finally {
-      Frame.Completion completion = frame.completion;
-      frame.completion = null;
-      finallyClause.execute(frame);
-      if (frame.completion == null) {
-        frame.completion = completion;
+      if (thrown) {
+        last.execute(frame);
+        // What was thrown goes on, however the clause ends: else a loop could refuse to be stopped.
+        frame.completion = null;
       }
     }
+    Frame.Completion completion = frame.completion;
+    frame.completion = null;
+    UrbiObject lastValue = last.execute(frame);
+    if (frame.completion != null) {
+      return lastValue;
+    }
+    frame.completion = completion;
+    return value;
   }
 
   private UrbiObject executeCatching(Frame frame) {
