@@ -531,6 +531,15 @@ final class HandMadePrograms {
             ended; ended;
             """),
         Map.entry(
+            "a function without parameters, which may ask for its call, has been handed nothing",
+            """
+            var o = Object.new|; function o.start { 1 }|; function begin { call.evalArgs.size }|;
+            function f(n) { var v = 5; if (n == 3) o.start| { { 1 } & { 2 } } | v * 2 }|; f(2); f(3); f(3);
+            function g(n) { var v = n; if (n == 3) begin| { 1, 2 } | v * 2 }|; g(2); g(3); g(3);
+            function h(n) { if (n < 1) return 7; var v = h(n - 1); if (n == 3) o.start| { { 1 } & { sleep(1ms) } }| v * 2 }|;
+            h(2); h(3); h(4);
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

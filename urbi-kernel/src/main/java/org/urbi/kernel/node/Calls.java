@@ -12,7 +12,7 @@ final class Calls {
     if (code instanceof Function function) {
       Formals formals = function.formals();
       if (function.usesCall()) {
-        frame.exposeLocals();
+        handOut(frame, arguments);
       }
       if (formals == null) {
         return function.runLazily(frame, site, self);
@@ -26,11 +26,18 @@ final class Calls {
       }
       formals.check(frame, site, arguments.length);
     } else if (code.isLazy()) {
-      frame.exposeLocals();
+      handOut(frame, arguments);
       return code.call(frame, site, self, placeholders(arguments));
     }
     return code.call(
         frame, site, self, ArgumentEvaluation.evaluate(frame, arguments, arguments.length));
+  }
+
+  /** Whoever is called may evaluate these arguments at any time; none are nothing. */
+  private static void handOut(Frame frame, Node[] arguments) {
+    if (arguments.length > 0) {
+      frame.exposeLocals();
+    }
   }
 
   /**
