@@ -335,12 +335,12 @@ public final class Frame implements Place {
                 keeper));
   }
 
-  /** From now on others may evaluate code of this activation. */
+  /** From now on others may evaluate code that has these very variables. */
   void exposeLocals() {
     keeper.exposed = true;
   }
 
-  /** Whether others may evaluate code of this activation, which reads and assigns its variables. */
+  /** Whether others may evaluate code that reads and assigns these very variables. */
   boolean isExposed() {
     return keeper.exposed;
   }
