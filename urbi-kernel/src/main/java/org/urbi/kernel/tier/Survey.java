@@ -316,7 +316,8 @@ final class Survey {
       }
       visit(assignment.value());
     } else if (node instanceof CompoundAssignment assignment
-        && assignment.access() instanceof CompoundAssignment.OfVariable) {
+        && assignment.access() instanceof CompoundAssignment.OfVariable access) {
+      visit(access.variable());
       if (assignment.local() >= 0) {
         assign(assignment.local());
       }
