@@ -191,9 +191,9 @@ public final class NumericOperator extends Node {
   }
 
   private boolean isSame(Frame frame, UrbiObject left) {
+    UrbiObject other = right.execute(frame);
     try {
-      UrbiObject other = frame.interpreter.notVoid(right.execute(frame));
-      return isSame(left, other);
+      return isSame(left, frame.interpreter.notVoid(other));
     } catch (UrbiException e) {
       throw frame.located(e, message.span());
     }

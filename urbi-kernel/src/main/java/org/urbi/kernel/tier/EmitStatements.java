@@ -226,10 +226,10 @@ final class EmitStatements {
     Value result = to.newPair();
     to.copy(to.operand(logical.left()), result);
     if (logical.isAnd()) {
-      truth(result, decided);
+      to.located(logical.left(), () -> truth(result, decided));
     } else {
       Label on = to.code.newLabel();
-      truth(result, on);
+      to.located(logical.left(), () -> truth(result, on));
       to.code.goto_(decided);
       to.code.labelBinding(on);
     }
