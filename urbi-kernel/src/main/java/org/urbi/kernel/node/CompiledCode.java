@@ -482,15 +482,19 @@ public abstract class CompiledCode extends OwnCallAccess {
     return target == values.falseObject ? values.trueObject : null;
   }
 
-  /** The number of elements, entries or characters; -1 if the target is something else. */
-  protected static double size(UrbiObject target) {
-    if (target instanceof UrbiList list) {
-      return list.elements().size();
-    }
-    if (target instanceof UrbiDictionary dictionary) {
-      return dictionary.entries().size();
-    }
+  /** The number of elements; -1 if the target is no list. */
+  protected static double sizeOfList(UrbiObject target) {
+    return target instanceof UrbiList list ? list.elements().size() : -1;
+  }
+
+  /** The number of characters; -1 if the target is no string. */
+  protected static double sizeOfText(UrbiObject target) {
     return target instanceof UrbiString text ? text.value().length() : -1;
+  }
+
+  /** The number of entries; -1 if the target is no dictionary. */
+  protected static double sizeOfDictionary(UrbiObject target) {
+    return target instanceof UrbiDictionary dictionary ? dictionary.entries().size() : -1;
   }
 
   /** The element that is going to be modified. */

@@ -45,7 +45,9 @@ abstract class CodeWriter {
           "object",
           "self",
           "setElement",
-          "size");
+          "sizeOfList",
+          "sizeOfText",
+          "sizeOfDictionary");
 
   private static final int NO_COUNT = -1;
 

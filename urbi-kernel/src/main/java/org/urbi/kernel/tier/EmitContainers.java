@@ -80,13 +80,17 @@ final class EmitContainers {
         to.help("not", Names.OBJECT, Names.OBJECT, Names.FRAME);
         to.code.dup().astore(result.object()).ifnull(otherwise);
       }
-      case SIZE_OF_LIST, SIZE_OF_TEXT, SIZE_OF_DICTIONARY -> {
-        to.code.aload(target);
-        to.help("size", CD_double, Names.OBJECT);
-        to.code.dup2().dstore(result.number()).dconst_0().dcmpl().iflt(otherwise);
-        to.code.aconst_null().astore(result.object());
-      }
+      case SIZE_OF_LIST -> size("sizeOfList", target, result, otherwise);
+      case SIZE_OF_TEXT -> size("sizeOfText", target, result, otherwise);
+      case SIZE_OF_DICTIONARY -> size("sizeOfDictionary", target, result, otherwise);
     }
+  }
+
+  private void size(String helper, int target, Value result, Label otherwise) {
+    to.code.aload(target);
+    to.help(helper, CD_double, Names.OBJECT);
+    to.code.dup2().dstore(result.number()).dconst_0().dcmpl().iflt(otherwise);
+    to.code.aconst_null().astore(result.object());
   }
 
   /** {@code [a, b]}. */
