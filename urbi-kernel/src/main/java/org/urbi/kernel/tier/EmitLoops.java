@@ -155,7 +155,7 @@ final class EmitLoops {
   }
 
   private void inside(Node node, Runnable init, Node body, Parts parts) {
-    if (Survey.of(node).mayDetach()) {
+    if (mayDetach(node)) {
       insideWithJobs(init, body, parts);
       return;
     }
@@ -173,6 +173,21 @@ final class EmitLoops {
     if (counts) {
       to.endCounting();
     }
+  }
+
+  /**
+   * Whether jobs may be detached in a loop: by its code, by an operator that does so, or by code
+   * that has been handed out before and is evaluated by what the loop calls.
+   */
+  private boolean mayDetach(Node loop) {
+    Survey inside = Survey.of(loop);
+    boolean evaluates = to.survey().handsOutJobs();
+    return inside.mayDetach()
+        || evaluates && inside.mayCallUnseen()
+        || inside.messages().stream()
+            .anyMatch(message ->
+                (evaluates || message.argumentNodes().length > 0)
+                    && !to.callees().callsNobody(message));
   }
 
   /**

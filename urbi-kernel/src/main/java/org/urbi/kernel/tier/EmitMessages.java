@@ -105,8 +105,10 @@ final class EmitMessages {
     if (hasCode) {
       find(message, receiver, found);
       to.code.labelBinding(answers);
+      to.scopes().enter();
       answer(message, receiver, found);
     } else {
+      to.scopes().enter();
       ask(message, receiver);
     }
     to.code.astore(found);
@@ -154,7 +156,6 @@ final class EmitMessages {
 
   /** Sends the message, with all that belongs to it. */
   private void ask(MessageSend message, int receiver) {
-    to.scopes().enter();
     to.code.aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
@@ -171,7 +172,6 @@ final class EmitMessages {
   }
 
   private void answer(MessageSend message, int receiver, int found) {
-    to.scopes().enter();
     to.code.aload(found).aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
@@ -338,7 +338,6 @@ final class EmitMessages {
   }
 
   private void answer(MessageSend.OfLocal message, int found) {
-    to.scopes().enter();
     to.code.aload(found);
     to.frame();
     to.constant(message, Names.LOCAL_CALL);

@@ -10,7 +10,8 @@ import org.urbi.kernel.node.ScopeEnd;
 
 /**
  * Emits scopes. A scope is entered when something is about to be called that may add to its end;
- * while only compiled functions are called, it costs nothing.
+ * while only compiled functions are called, it costs nothing. Only where the code hands out code
+ * that others may evaluate at any time, which adds to the end as well, it is entered at once.
  */
 final class EmitScopes {
   private final Emitter to;
@@ -72,19 +73,29 @@ final class EmitScopes {
     int around = to.newObject();
     to.constant(ScopeEnd.NOT_ENTERED, Names.SCOPE_END);
     to.code.astore(around);
+    if (entersAtOnce()) {
+      enter(around);
+    }
     open.push(new Open(around, to.loops().around()));
     return around;
   }
 
+  private boolean entersAtOnce() {
+    return to.survey().handsOutCode();
+  }
+
   /** Emits what makes sure that all scopes around have been entered. */
   void enter() {
-    open.descendingIterator()
-        .forEachRemaining(scope -> {
-          to.frameIfAny();
-          to.code.aload(scope.around());
-          to.help("enterScope", Names.SCOPE_END, Names.FRAME, Names.SCOPE_END);
-          to.code.astore(scope.around());
-        });
+    if (!entersAtOnce()) {
+      open.descendingIterator().forEachRemaining(scope -> enter(scope.around()));
+    }
+  }
+
+  private void enter(int around) {
+    to.frameIfAny();
+    to.code.aload(around);
+    to.help("enterScope", Names.SCOPE_END, Names.FRAME, Names.SCOPE_END);
+    to.code.astore(around);
   }
 
   private void leave(int around) {

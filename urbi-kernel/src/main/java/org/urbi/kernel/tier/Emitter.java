@@ -285,14 +285,6 @@ final class Emitter extends CodeWriter {
     }
   }
 
-  @Override
-  void execute(Node node) {
-    if (!Survey.isLeaf(node)) {
-      scopes.enter();
-    }
-    super.execute(node);
-  }
-
   /** Emits code that is not compiled: the node is executed. */
   Value unknown(Node node, boolean jumps) {
     if (Survey.isLeaf(node)) {
@@ -312,7 +304,6 @@ final class Emitter extends CodeWriter {
     beside(
         node,
         () -> {
-          scopes.enter();
           constant(node, Names.NODE);
           frame();
           place();
@@ -344,6 +335,7 @@ final class Emitter extends CodeWriter {
         write(variable);
       }
     }
+    scopes.enter();
     int result = newObject();
     Label start = code.newBoundLabel();
     emitted.run();

@@ -32,6 +32,8 @@ final class Survey {
   private boolean jumps;
   private boolean closures;
   private boolean passes;
+  private boolean handsOutCode;
+  private boolean handsOutJobs;
   private boolean pauses;
   private boolean callsLocal;
   private int loops;
@@ -77,6 +79,8 @@ final class Survey {
     inArguments.or(mentionedAmong(around == null || around.hides ? null : around.inArguments));
     assignedInArguments.or(
         mentionedAmong(around == null || around.hides ? null : around.assignedInArguments));
+    handsOutCode |= around == null || around.handsOutCode();
+    handsOutJobs |= around == null || around.handsOutJobs();
   }
 
   private BitSet mentionedAmong(@Nullable BitSet others) {
@@ -118,6 +122,16 @@ final class Survey {
    */
   boolean mayDetach() {
     return hides || passes;
+  }
+
+  /** Whether it hands out code that may ask for the scope around it, now or later. */
+  boolean handsOutCode() {
+    return hides || handsOutCode;
+  }
+
+  /** Whether it hands out code that may detach jobs, now or later. */
+  boolean handsOutJobs() {
+    return hides || handsOutJobs;
   }
 
   /** Whether there is a {@code ;} in it, and no loop or other code that may take long. */
@@ -197,6 +211,17 @@ final class Survey {
       assignedInArguments.set(variable);
       inArguments.set(variable);
     }
+  }
+
+  /**
+   * Something is called.
+   *
+   * @param detaches whether it is a function that may detach its argument
+   */
+  private void calls(boolean detaches) {
+    passes |= detaches;
+    handsOutCode |= depth > 0;
+    handsOutJobs |= detaches && depth > 0;
   }
 
   private void visitAll(Node... nodes) {
@@ -331,7 +356,7 @@ final class Survey {
     } else if (node instanceof Literals.Sequence literal) {
       visitAll(literal.elements());
     } else if (node instanceof MessageSend.OfLocal call) {
-      passes |= call.argumentNodes().length > 0;
+      calls(call.argumentNodes().length > 0);
       callsLocal = true;
       visit(call.variable());
       depth++;
@@ -349,7 +374,7 @@ final class Survey {
       visit(assignment.value());
     } else if (node instanceof MessageSend message) {
       messages.add(message);
-      passes |= message.argumentNodes().length > 0 && Symbol.isWord(message.calledName());
+      calls(message.argumentNodes().length > 0 && Symbol.isWord(message.calledName()));
       visit(message.target());
       depth++;
       visitAll(message.argumentNodes());
