@@ -6,6 +6,14 @@ import java.util.Random;
 
 /** What the makers of programs of functions have in common: choices, blocks and local variables. */
 abstract class FunctionGenerator {
+  /** Programs that add a text or a list to itself, again and again, fill any memory. */
+  static final String BOUNDED =
+      """
+      for| (var p : [String, List]) do (p) { var joined = getSlotValue("+"); var repeated = getSlotValue("*");
+        '+' = function (other) { if (size < 99) joined(other) else "long" };
+        '*' = function (times) { if (size < 99 && times < 99) repeated(times) else "long" } }|;
+      """;
+
   final Random random;
   final StringBuilder text = new StringBuilder();
 

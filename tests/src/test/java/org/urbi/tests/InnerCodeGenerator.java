@@ -14,6 +14,8 @@ abstract class InnerCodeGenerator extends FunctionGenerator {
       var event = Event.new|; var mark = Tag.new|;
       function evaluated { call.evalArgAt(0) }|;
       function evaluatedTwice { [call.evalArgAt(0), call.evalArgAt(0)] }|;
+      var handed = nil|; function handOut { handed = call | 0 }|;
+      function handedOut() { var c = handed | handed = nil | if (c.isNil) 0 else c.evalArgAt(0) }|;
       """;
 
   /** How many loops are around what is being made, which it can leave. */
@@ -33,7 +35,7 @@ abstract class InnerCodeGenerator extends FunctionGenerator {
 
   /** A statement with code that has variables of its own. */
   String innerCode() {
-    return switch (random.nextInt(16)) {
+    return switch (random.nextInt(21)) {
       case 0, 1 -> branchOfEach();
       case 2, 3 -> "{ " + own() + " & " + own() + one("", " & " + own()) + " }";
       case 4 -> "{ " + own() + ", " + own() + one("", ", sleep(1ms)") + " }";
@@ -49,6 +51,10 @@ abstract class InnerCodeGenerator extends FunctionGenerator {
       case 12 -> one("evaluated", "evaluatedTwice", "detach") + "(" + apart() + ")";
       case 13 -> "{ { mark: " + own() + " } & { sleep(1ms) | mark.stop } }";
       case 14 -> one("do (Object.new) ", "stopif (o.x > 5) ", "Tag.new: ") + own();
+      case 15, 16 -> scopes();
+      case 17 -> "handOut(" + one("detach(" + apart() + ")", "scopeTag", apart()) + ")";
+      case 18 -> loops > 0 ? "{ handedOut() | break }" : "echo(handedOut())";
+      case 19 -> "handedOut()";
       default -> "timeout (3ms) every" + one("", "|") + " (1ms) " + apart();
     };
   }
@@ -144,6 +150,22 @@ abstract class InnerCodeGenerator extends FunctionGenerator {
         + "; default: "
         + own()
         + " }";
+  }
+
+  /** A tag of a scope, of which a job is told that goes on for longer, or a handler. */
+  private String scopes() {
+    String tag = "t" + names++;
+    String value = fresh();
+    return one(
+        "{ var " + tag + " = scopeTag| detach({ " + tag + ": { sleep(2ms) | " + apart() + " } }) }",
+        "{ scopeTag: at (event?(var " + value + ")) " + apart(value) + "| event!(o.x) }",
+        "{ handOut(scopeTag)| "
+            + own()
+            + "| var "
+            + tag
+            + " = handedOut()| try { detach({ "
+            + tag
+            + ": { sleep(2ms) | echo(1) } }) } catch { echo(2) } }");
   }
 
   private String caught() {

@@ -6,7 +6,7 @@ import java.util.List;
  * Makes programs of functions that compute, loop, call each other, fail and let others run; the
  * same ones from the same seed. All of them end.
  */
-final class NumericProgramGenerator extends InnerCodeGenerator {
+final class NumericProgramGenerator extends ContainerCodeGenerator {
   private static final int FUNCTIONS = 6;
 
   /** What every program begins with. */
@@ -26,6 +26,7 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
       function many(n, args[]) { n + args.size }|;
       function preset(n, m = 7) { n * m }|;
       var plus = Float.getSlotValue("+")|; var less = Float.getSlotValue("<")|;
+      var item = List.getSlotValue("[]")|;
       """;
 
   private static final List<String> LITERALS =
@@ -51,12 +52,15 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
   }
 
   private String program() {
-    text.append(PRELUDE).append(INNER_PRELUDE);
+    if (chance(60)) {
+      text.append(BOUNDED);
+    }
+    text.append(PRELUDE).append(INNER_PRELUDE).append(CONTAINER_PRELUDE);
     for (callable = 0; callable < FUNCTIONS; callable++) {
       function();
     }
     for (int i = 0; i < 25; i++) {
-      text.append(topLevel()).append('\n');
+      text.append(chance(40) ? "fill|; " : "").append(topLevel()).append('\n');
     }
     return text.toString();
   }
@@ -65,7 +69,7 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
 
   private String topLevel() {
     String call = call(random.nextInt(FUNCTIONS));
-    return switch (random.nextInt(18)) {
+    return switch (random.nextInt(22)) {
       case 0 ->
           "Float.'+' = function(n) { lobby.getSlotValue(\"plus\").apply([this, n]) * 2 }|; "
               + call
@@ -96,6 +100,19 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
       case 11 -> "try { " + call + " } catch (var e) { echo(e) };";
       case 12, 13 -> ("again" + random.nextInt(FUNCTIONS) + "(); ").repeat(3);
       case 14 -> "for| (12) again" + random.nextInt(FUNCTIONS) + "();";
+      case 15 -> "o.get = function (n) { " + one("n", "x - n", "this.x + n") + " }|; " + call + ";";
+      case 16 ->
+          "List.'[]' = function(n) { lobby.getSlotValue(\"item\").apply([this, n]) + 1 }|; "
+              + call
+              + "; List.'[]' = lobby.getSlotValue(\"item\")|;";
+      case 17 ->
+          "o.setProperty(\"x\", \"constant\", true)|; "
+              + call
+              + "; o.setProperty(\"x\", \"constant\", false)|;";
+      case 18 ->
+          "var h = Tag.new|; h: at (o.x > 3) echo(\"high\") onleave echo(\"low\"); "
+              + call
+              + "; sleep(5ms)|; h.stop|; removeLocalSlot(\"h\")|;";
       default -> call + ";";
     };
   }
@@ -131,8 +148,8 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
     text.append(call(callable)).append("; ").append(call(callable)).append(" }|;\n");
   }
 
-  /** A variable that counts no turns. */
-  private String target() {
+  @Override
+  String target() {
     for (int tries = 0; tries < 20; tries++) {
       String name = variable();
       if (!name.startsWith("i")) {
@@ -149,6 +166,9 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
     }
     if (nested < 3 && chance(30)) {
       return compound();
+    }
+    if (chance(20)) {
+      return containerStatement();
     }
     String name = target();
     return switch (random.nextInt(plain ? 21 : 22)) {
@@ -265,7 +285,8 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
         + " }";
   }
 
-  private String turns(String name) {
+  @Override
+  String turns(String name) {
     variables.add(name);
     loops++;
     String body = inside(2);
@@ -291,6 +312,9 @@ final class NumericProgramGenerator extends InnerCodeGenerator {
   String expression(int depth) {
     if (depth == 0 || chance(25)) {
       return chance(65) ? variable() : LITERALS.get(random.nextInt(LITERALS.size()));
+    }
+    if (chance(8)) {
+      return containerExpression(depth - 1);
     }
     return switch (random.nextInt(22)) {
       case 0, 1, 2, 3, 4, 5, 6 ->

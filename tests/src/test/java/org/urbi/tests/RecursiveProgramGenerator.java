@@ -12,12 +12,8 @@ final class RecursiveProgramGenerator extends InnerCodeGenerator {
   /** So a function calls itself 80 times at most. */
   private static final int MOST_CALLS = 3;
 
-  /** A function that adds an argument to itself, and calls itself with that, fills any memory. */
   private static final String PRELUDE =
       """
-      for| (var p : [String, List]) do (p) { var joined = getSlotValue("+"); var repeated = getSlotValue("*");
-        '+' = function (other) { if (size < 99) joined(other) else "long" };
-        '*' = function (times) { if (size < 99 && times < 99) repeated(times) else "long" } }|;
       var o = Object.new|; var o.x = 1|; var log = []|; var t = Tag.new|; var saved = nil|;
       function o.keep { lobby.saved = call | 1 }|; function o.lazy { call.evalArgAt(0) }|;
       function o.wait { sleep(1ms) | x += 1 }|; var plus = Float.getSlotValue("+")|;
@@ -35,7 +31,7 @@ final class RecursiveProgramGenerator extends InnerCodeGenerator {
   }
 
   private String program() {
-    text.append(PRELUDE).append(INNER_PRELUDE);
+    text.append(BOUNDED).append(PRELUDE).append(INNER_PRELUDE);
     for (int i = 0; i < FUNCTIONS; i++) {
       name = "r" + i;
       function();
