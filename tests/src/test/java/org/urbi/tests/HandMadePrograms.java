@@ -380,6 +380,15 @@ final class HandMadePrograms {
             String.updateSlot("size", List.getSlot("size"))|; for (var i : 4) echo(size("abc"));
             """),
         Map.entry(
+            "a changed slot has the value that it takes",
+            """
+            class Global.P { var n = 1 }|; P.n->rangemin = 3|; class Q { var n = 5 }|; Q.n->updateHook = function (name, v) { v * 10 }|;
+            function f(o) { var z = (o.n -= 1); [z, o.n, o.n += 2, o.n++, o.n] }|; f(P.new); f(P.new); f(Q.new); f(Q.new); f(P.new);
+            var s = 1|; s->rangemax = 4|; function g(n) { var z = (s += n); [z, s] }|; g(9); g(1); g(-2); g(9);
+            class R { var v = 0; get p { v }; set p(n) { v = n * 2 } }|;
+            function h(o) { [o.p += 1, o.p, o.p = 4, o.p] }|; h(R.new); h(R.new); var t = s += 9; t;
+            """),
+        Map.entry(
             "variables of closures are shared",
             """
             function f(n) {

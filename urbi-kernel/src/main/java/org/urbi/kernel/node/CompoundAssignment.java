@@ -20,7 +20,12 @@ public final class CompoundAssignment extends Node implements CallSite {
 
     UrbiObject read(Frame frame, UrbiObject[] parts);
 
-    void write(Frame frame, UrbiObject[] parts, UrbiObject value);
+    /**
+     * Assigns it.
+     *
+     * @return the value of the assignment, which a slot may have corrected
+     */
+    UrbiObject write(Frame frame, UrbiObject[] parts, UrbiObject value);
   }
 
   /** A local variable. */
@@ -36,8 +41,9 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
 
     @Override
-    public void write(Frame frame, UrbiObject[] parts, UrbiObject value) {
+    public UrbiObject write(Frame frame, UrbiObject[] parts, UrbiObject value) {
       place.assign(frame, value);
+      return value;
     }
   }
 
@@ -66,8 +72,8 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
 
     @Override
-    public void write(Frame frame, UrbiObject[] parts, UrbiObject value) {
-      writer.assign(frame, parts[0], value);
+    public UrbiObject write(Frame frame, UrbiObject[] parts, UrbiObject value) {
+      return writer.assign(frame, parts[0], value);
     }
   }
 
@@ -90,8 +96,9 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
 
     @Override
-    public void write(Frame frame, UrbiObject[] parts, UrbiObject value) {
+    public UrbiObject write(Frame frame, UrbiObject[] parts, UrbiObject value) {
       frame.interpreter.send(frame, parts[0], set, tail(parts, value));
+      return value;
     }
 
     private static UrbiObject[] tail(UrbiObject[] parts, @Nullable UrbiObject last) {
@@ -117,8 +124,9 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
 
     @Override
-    public void write(Frame frame, UrbiObject[] parts, UrbiObject value) {
+    public UrbiObject write(Frame frame, UrbiObject[] parts, UrbiObject value) {
       Properties.set(frame, parts[0], slot, property, value);
+      return value;
     }
   }
 
@@ -135,7 +143,9 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
 
     @Override
-    public void write(Frame frame, UrbiObject[] parts, UrbiObject written) {}
+    public UrbiObject write(Frame frame, UrbiObject[] parts, UrbiObject written) {
+      return written;
+    }
   }
 
   private final Access access;
@@ -252,8 +262,7 @@ public final class CompoundAssignment extends Node implements CallSite {
       }
       UrbiObject after =
           combined(frame, before, ArgumentEvaluation.notVoid(frame, operand, span()));
-      access.write(frame, parts, after);
-      return after;
+      return access.write(frame, parts, after);
     } catch (UrbiException e) {
       throw frame.located(e, span());
     }
