@@ -117,8 +117,9 @@ final class Survey {
   }
 
   /**
-   * Whether jobs may be detached from it: by code that is not compiled, or by a function that does
-   * so with its argument. Operators do not.
+   * Whether its own code may detach jobs: code that is not compiled, or a function that does so
+   * with its argument. Operators and what others evaluate are left to {@link EmitLoops}, which
+   * knows what has been called.
    */
   boolean mayDetach() {
     return hides || passes;
