@@ -26,9 +26,7 @@ abstract class ContainerCodeGenerator extends InnerCodeGenerator {
   /** Most of what fails is caught, or little of a function would ever be executed. */
   String containerStatement() {
     String statement = containerCode();
-    return chance(60)
-        ? "try { " + statement + " } catch (var e" + names + ") { echo(e" + names++ + ") }"
-        : statement;
+    return chance(60) ? tried("{ " + statement + " }") : statement;
   }
 
   private String containerCode() {
@@ -41,7 +39,7 @@ abstract class ContainerCodeGenerator extends InnerCodeGenerator {
       case 7, 8 -> "o." + one("x", "y") + one(" += ", " -= ", " *= ") + expression(2);
       case 9 -> "o." + one("x", "y") + one("++", "--");
       case 10 -> constant();
-      case 11, 12 -> each();
+      case 11, 12 -> each("items", "[1, \"x\", [2]]", "table.keys.sort", "[" + variable() + "]");
       case 13, 14 -> choice();
       case 15, 16 -> attempt();
       case 17 -> "items = [" + expression(1) + ", 1, \"x\"]";
@@ -105,21 +103,17 @@ abstract class ContainerCodeGenerator extends InnerCodeGenerator {
         + name
         + " = "
         + expression(1)
-        + "| try { "
-        + change
-        + " } catch (var e"
-        + names
-        + ") { echo(e"
-        + names++
-        + ") }| echo("
+        + "| "
+        + tried("{ " + change + " }")
+        + "| echo("
         + name
         + ") }";
   }
 
-  private String each() {
+  /** A loop over one of these. */
+  String each(String... all) {
     String element = "v" + names++;
-    String all = one("items", "[1, \"x\", [2]]", "table.keys.sort", "[" + variable() + "]");
-    return "for" + one("", "|") + " (var " + element + " : " + all + ") " + turns(element);
+    return "for" + one("", "|") + " (var " + element + " : " + one(all) + ") " + turns(element);
   }
 
   private String choice() {

@@ -71,6 +71,12 @@ abstract class FunctionGenerator {
     }
   }
 
+  /** A statement whose exceptions are caught, and told. */
+  String tried(String block) {
+    String caught = "e" + names++;
+    return "try " + block + " catch (var " + caught + ") { echo(" + caught + ") }";
+  }
+
   /** A block, which is not in the text yet. */
   String inside(int statements) {
     int begin = text.length();

@@ -1,15 +1,16 @@
 package org.urbi.tests;
 
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.TreeMap;
 
 /** Programs that do what random ones hardly ever do, for {@link CompiledCodeTest}. */
 final class HandMadePrograms {
   private HandMadePrograms() {}
 
-  /** The programs by their names. */
-  static Map<String, String> all() {
-    Map<String, String> all = new TreeMap<>(HandMadeScopes.all());
+  /** All programs, those of scopes too, by their names. */
+  static SortedMap<String, String> all() {
+    SortedMap<String, String> all = new TreeMap<>(HandMadeScopes.all());
     all.putAll(ofValues());
     return all;
   }

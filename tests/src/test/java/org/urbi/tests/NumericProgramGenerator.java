@@ -244,18 +244,8 @@ final class NumericProgramGenerator extends ContainerCodeGenerator {
             + ") "
             + turns(i);
       }
-      case 5 -> {
-        String i = "v" + names++;
-        yield "for"
-            + one("", "|")
-            + " (var "
-            + i
-            + " : "
-            + one("3", "2", "[1, \"x\", 2]", "2.5")
-            + ") "
-            + turns(i);
-      }
-      case 6 -> "try " + inside(2) + " catch (var e" + names + ") { echo(e" + names++ + ") }";
+      case 5 -> each("3", "2", "[1, \"x\", 2]", "2.5");
+      case 6 -> tried(inside(2));
       case 7 -> "try " + inside(2) + " finally " + inside(1);
       case 8, 9 -> innerCode();
       default -> inside(2);
